@@ -1,0 +1,310 @@
+#!/usr/bin/env python3
+"""Writes everything in generated/, and nothing else does.
+
+    python3 codegen/generate.py            write generated/
+    python3 codegen/generate.py --check    compare instead: print the differences and fail if there are any
+
+The output depends on codegen/ alone, to the byte. Needs Python 3.9 and jinja2 (Debian: python3-jinja2).
+"""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Dict, List, Sequence, Tuple
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.dont_write_bytecode = True
+
+try:
+    import jinja2
+except ModuleNotFoundError:
+    sys.exit("generate.py needs jinja2: install it (Debian: apt-get install python3-jinja2) for this python3")
+
+from algebra import BLADES, METRIC, Multivector, blade_product, blade_reverse, e, multivector
+from elements import MOTOR, VECTOR
+from emit import Writer, constant_names
+from expression import named, node, symbol
+from golden import golden_rows
+from kernels import KERNELS, Kernel, Pairing
+from plan import Operation
+from simplify import Choice, Form, choose
+
+ROOT = Path(__file__).resolve().parent.parent
+OUTPUT = ROOT / "generated"
+MENDING = "python3 codegen/generate.py"
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A kernel in one pairing, with or without the promise of normalised motors, and how it will be computed."""
+
+    kernel: Kernel
+    pairing: Pairing
+    unit: bool
+    choice: Choice
+
+    @property
+    def name(self) -> str:
+        return f"{self.kernel.name}_{self.pairing.name}" + ("_unit" if self.unit else "")
+
+    @property
+    def fixed(self):
+        return [i for i in self.kernel.inputs if i.name in self.pairing.fixed]
+
+    @property
+    def streams(self):
+        return [i for i in self.kernel.inputs if i.name not in self.pairing.fixed]
+
+
+def derive(kernel: Kernel, pairing: Pairing, unit: bool) -> Variant:
+    forms = kernel.unit_forms if unit else kernel.forms
+    varying = frozenset(s for i in kernel.inputs if i.name not in pairing.fixed for s in i.symbols)
+    built = [build_form(kernel, name, formula) for name, formula in forms]
+    return Variant(kernel, pairing, unit, choose(built, varying, kernel.unit_relations if unit else {}))
+
+
+def build_form(kernel: Kernel, name: str, formula) -> Form:
+    """Evaluate a formula over expressions."""
+
+    def let(name, value):
+        if not isinstance(value, Multivector):
+            return named(name, node(value))
+        return Multivector({blade: named(name + blade, node(part)) for blade, part in value.parts.items()})
+
+    result = multivector(formula(*[i.multivector(symbol) for i in kernel.inputs], let))
+    return Form(name, tuple(node(result[blade]) for blade in kernel.output.blades))
+
+
+def variants_of(kernel: Kernel) -> List[Variant]:
+    variants = []
+    for pairing in kernel.pairings:
+        variants.append(derive(kernel, pairing, unit=False))
+        if kernel.unit_forms and not pairing.fixed:  # once a motor, a division does not count
+            variants.append(derive(kernel, pairing, unit=True))
+    return variants
+
+
+# ------------------------------------------------------------------------------------------------- what is written
+
+
+def render_all() -> Dict[str, str]:
+    """Every file of generated/, by its path in that folder."""
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(str(ROOT / "codegen" / "templates")),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        newline_sequence="\n",
+    )
+
+    def render(template: str, **values) -> str:
+        return environment.get_template(template).render(**values)
+
+    files, rows = {}, []
+    for kernel in KERNELS:
+        variants = variants_of(kernel)
+        files[f"kernels/{kernel.name}.inl"] = render("kernel.inl.j2", **kernel_values(kernel, variants))
+        files[f"golden/{kernel.name}.inc"] = render("golden.inc.j2", **golden_values(kernel))
+        rows += [list_row(variant) for variant in variants]
+    files["kernel_list.inc"] = render("kernel_list.inc.j2", rows=rows)
+    files["product_tables.md"] = render("product_tables.md.j2", **product_table_values())
+    return files
+
+
+def kernel_values(kernel: Kernel, variants: Sequence[Variant]) -> Dict[str, object]:
+    return {
+        "title": f"{kernel.verb} {kernel.operand}",
+        "formula": kernel.formula,
+        "source": kernel.source,
+        "variants": [variant_values(variant) for variant in variants],
+    }
+
+
+def variant_values(variant: Variant) -> Dict[str, object]:
+    plan = variant.choice.plan
+    streams = [i.element.size for i in variant.streams]
+    return {
+        "title": f"{variant.kernel.verb} {variant.kernel.operand} {variant.pairing.name}"
+        + (", for motors with S̄S = 1" if variant.unit else ""),
+        "struct": variant.name,
+        "forms": [
+            {"name": name, "cost": form_cost(candidate, bool(variant.fixed)), "chosen": candidate is plan}
+            for name, candidate in variant.choice.considered
+        ],
+        "has_prologue": bool(variant.fixed),
+        "fixed_size": sum(i.element.size for i in variant.fixed),
+        "constant_size": len(plan.constants),
+        "stream_sizes": accumulated_streams(variant) if variant.kernel.verb == "blend" else (streams + [0])[:2],
+        "output_size": variant.kernel.output.size,
+        "affine": variant.choice.form.name == "matrix",
+        "prologue_count": str(plan.count("prologue")),
+        "prologue": write_prologue(variant),
+        "body_count": str(plan.count("body")),
+        "body": write_body(variant),
+    }
+
+
+def accumulated_streams(variant: Variant) -> List[int]:
+    """A blend's first stream is what it has summed so far; each term adds a weight and a control."""
+    first, *rest = [i.element.size for i in variant.streams]
+    return [first, sum(rest)]
+
+
+def form_cost(plan, has_prologue: bool) -> str:
+    def text(stage: str) -> str:
+        count = plan.count(stage)
+        return f"{count.operations}" + (f" + {count.divisions} div or sqrt" if count.divisions else "")
+
+    return text("body") + (f"  ({text('prologue')})" if has_prologue else "")
+
+
+def input_values(inputs, in_body: bool) -> Tuple[List[str], List[Operation]]:
+    names = [name for i in inputs for name in i.symbols]
+    return names, [Operation("input", name=name, in_body=in_body) for name in names]
+
+
+def write_prologue(variant: Variant) -> List[str]:
+    writer = Writer(variant.choice.plan, "prologue")
+    return writer.declare_inputs("fixed", *input_values(variant.fixed, False)) + writer.statements("constant")
+
+
+def write_body(variant: Variant) -> List[str]:
+    plan = variant.choice.plan
+    writer = Writer(plan, "body")
+    lines = writer.declare_inputs("constant", constant_names(plan), plan.constants)
+    lines += writer.declare_inputs("in", *input_values(variant.streams, True))
+    return lines + writer.statements("out")
+
+
+def list_row(variant: Variant) -> Dict[str, object]:
+    kernel, count = variant.kernel, variant.choice.plan.count("body")
+    inputs = sum(i.element.size for i in variant.streams)
+    if kernel.verb == "blend":  # the sum stays in registers, and shared controls are not read an element
+        inputs = 1 if variant.pairing.name == "one" else 1 + kernel.output.size
+    columns = [
+        kernel.verb, kernel.operand, variant.pairing.name, inputs, kernel.output.size, count.operations, count.divisions
+    ]
+    return {"unit": variant.unit, "columns": columns}
+
+
+def golden_values(kernel: Kernel) -> Dict[str, object]:
+    def decimal(value) -> str:
+        return f"{float(value):g}"
+
+    return {
+        "title": f"{kernel.verb} {kernel.operand}",
+        "inputs": [name for i in kernel.inputs for name in i.symbols],
+        "outputs": [name for name, _ in kernel.output.components],
+        "rows": [
+            {"inputs": [decimal(v) for v in inputs], "outputs": outputs} for inputs, outputs in golden_rows(kernel)
+        ],
+    }
+
+
+def product_table_values() -> Dict[str, object]:
+    def table(title: str, text: str, left: Sequence[str], right: Sequence[str], product) -> Dict[str, object]:
+        rows = [{"label": label(a), "cells": [combination(product(a, b)) for b in right]} for a in left]
+        return {"title": title, "text": text, "columns": [label(b) for b in right], "rows": rows}
+
+    def outer(a: str, b: str):
+        return [(blade, c) for blade, c in e(a).outer(e(b)).parts.items()]
+
+    motor, vector = MOTOR.blades, VECTOR.blades
+    squares = ", ".join(f"e{a}·e{b} = {value}" for (a, b), value in METRIC.items() if a <= b)
+    return {
+        "metric": squares,
+        "reverses": [
+            {"blade": label(b), "reverse": combination(blade_reverse(b))} for b in BLADES if len(b) % 2 == 0
+        ],
+        "tables": [
+            table("Motor times motor", "Row times column; `compose`.", motor, motor, blade_product),
+            table("Vector times motor", "Row times column; the first half of S̄ p S.", vector, motor, blade_product),
+            table("Motor times vector", "Row times column.", motor, vector, blade_product),
+            table(
+                "Vector ∧ motor",
+                "½(ab - ba) with the row on the left: the sparse commutator that `apply` is made of.",
+                vector,
+                motor,
+                outer,
+            ),
+        ],
+    }
+
+
+def label(blade: str) -> str:
+    return f"e{blade}" if blade else "1"
+
+
+def combination(terms) -> str:
+    """A linear combination of blades, as text."""
+    text = ""
+    for blade, c in terms:
+        factor = "" if abs(c) == 1 and blade else f"{abs(c)}"
+        sign = ("-" if c < 0 else "") if not text else (" - " if c < 0 else " + ")
+        text += sign + factor + (label(blade) if blade else "")
+    return text
+
+
+# ---------------------------------------------------------------------------------------------- writing and checking
+
+
+def write(files: Dict[str, str]) -> None:
+    for path in orphans(files):
+        path.unlink()
+    for name, text in files.items():
+        path = OUTPUT / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8", newline="\n") if sys.version_info >= (3, 10) else path.write_bytes(
+            text.encode("utf-8")
+        )
+    print(f"generate.py: wrote {len(files)} files to {OUTPUT.relative_to(ROOT)}/")
+
+
+def orphans(files: Dict[str, str]) -> List[Path]:
+    """Files in generated/ that the generator does not write."""
+    known = {OUTPUT / name for name in files}
+    return sorted(path for path in OUTPUT.rglob("*") if path.is_file() and path not in known)
+
+
+def check(files: Dict[str, str]) -> bool:
+    """Print how generated/ differs from what would be written, and how to mend it."""
+    current = True
+    for name, text in files.items():
+        path = OUTPUT / name
+        found = path.read_text(encoding="utf-8") if path.exists() else ""
+        if found != text:
+            current = False
+            sys.stdout.writelines(
+                difflib.unified_diff(
+                    found.splitlines(keepends=True),
+                    text.splitlines(keepends=True),
+                    f"generated/{name} (checked in)",
+                    f"generated/{name} (what codegen/ writes)",
+                )
+            )
+    for path in orphans(files):
+        current = False
+        print(f"orphan: {path.relative_to(ROOT)} is not written by the generator")
+    if not current:
+        print(f"generated/ is not what codegen/ writes; to mend it, run:  {MENDING}")
+    return current
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description="Write generated/ from codegen/.")
+    parser.add_argument("--check", action="store_true", help="compare instead of writing; fail on any difference")
+    arguments = parser.parse_args()
+    files = render_all()
+    if arguments.check:
+        return 0 if check(files) else 1
+    write(files)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
