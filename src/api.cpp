@@ -1,0 +1,346 @@
+// The C API: validate, look up, call, return a status.
+#include "dispatch.h"
+#include "motion.h"
+#include "motorway.h"
+#include "view.h"
+
+#include <cmath>
+
+namespace motorway {
+namespace {
+
+template <class T> const T *numbers_of(const mw_motor_f32 *motors) { return reinterpret_cast<const T *>(motors); }
+template <class T> const T *numbers_of(const mw_motor_f64 *motors) { return reinterpret_cast<const T *>(motors); }
+static_assert(sizeof(mw_motor_f32) == 8 * sizeof(float) && sizeof(mw_motor_f64) == 8 * sizeof(double));
+
+// A validated call of a kernel.
+template <class T> mw_status run(kernel_id id, const call<T> &arguments)
+{
+    find<T>(*kernels(), id)(arguments);
+    return MW_OK;
+}
+
+// Whether the library can run at all, and whether there is anything to do.
+mw_status check_call(unsigned flags, unsigned known_flags)
+{
+    if (!kernels())
+        return MW_ERROR_ISA;
+    return flags & ~known_flags ? MW_ERROR_FLAGS : MW_OK;
+}
+
+template <class T>
+mw_status apply_one(kernel_id id, const view<T, 3> &out, const T *motor, const view<const T, 3> &in, std::size_t count,
+                    unsigned flags)
+{
+    const mw_status called = check_call(flags, MW_UNIT_MOTORS);
+    if (called != MW_OK || count == 0)
+        return called;
+    const mw_status status = first_error(
+        check_array(motor, 8), [&] { return check_view(out, count); }, [&] { return check_view(in, count); },
+        [&] { return check_overlap(out, in, count); }, [&] { return check_overlap(out, motor, 8, count); },
+        [&] { return is_degenerate(motor) ? MW_ERROR_DEGENERATE_MOTOR : MW_OK; });
+    if (status != MW_OK)
+        return status;
+    const stream<const T> in_stream = in.as_stream();
+    return run<T>(id, {out.as_stream(), &in_stream, motor, 0, count});
+}
+
+// Kernels of one or of two streams.
+template <class T, int N, int M>
+mw_status stream_one(kernel_id id, const view<T, N> &out, const view<const T, M> &in, std::size_t count)
+{
+    const mw_status called = check_call(MW_DEFAULT, MW_DEFAULT);
+    if (called != MW_OK || count == 0)
+        return called;
+    const mw_status status =
+        first_error(check_view(out, count), [&] { return check_view(in, count); },
+                    [&] { return check_overlap(out, in, count); });
+    if (status != MW_OK)
+        return status;
+    const stream<const T> in_stream = in.as_stream();
+    return run<T>(id, {out.as_stream(), &in_stream, nullptr, 0, count});
+}
+
+template <class T, int N, int M, int L>
+mw_status stream_two(kernel_id id, const view<T, N> &out, const view<const T, M> &first,
+                     const view<const T, L> &second, std::size_t count)
+{
+    const mw_status called = check_call(MW_DEFAULT, MW_DEFAULT);
+    if (called != MW_OK || count == 0)
+        return called;
+    const mw_status status = first_error(
+        check_view(out, count), [&] { return check_view(first, count); }, [&] { return check_view(second, count); },
+        [&] { return check_overlap(out, first, count); }, [&] { return check_overlap(out, second, count); });
+    if (status != MW_OK)
+        return status;
+    const stream<const T> in[] = {first.as_stream(), second.as_stream()};
+    return run<T>(id, {out.as_stream(), in, nullptr, 0, count});
+}
+
+template <class T>
+mw_status apply_each(kernel_id any, kernel_id unit, const view<T, 3> &out, const view<const T, 8> &motors,
+                     const view<const T, 3> &in, std::size_t count, unsigned flags)
+{
+    const mw_status called = check_call(flags, MW_UNIT_MOTORS);
+    return called != MW_OK ? called : stream_two(flags & MW_UNIT_MOTORS ? unit : any, out, motors, in, count);
+}
+
+// ------------------------------------------------------------------------------------------------------ blends
+
+template <class T> struct blend_weights {
+    const T *const *terms;
+    std::size_t stride;
+
+    view<const T, 1> of_term(std::size_t k) const { return {{terms[k]}, stride}; }
+    stream<const T> as_stream() const
+    {
+        return {terms, stride, stride == sizeof(T) ? layout::soa : layout::strided};
+    }
+};
+
+template <class T>
+mw_status check_weights(const view<T, 8> &out, const blend_weights<T> &weights, std::size_t terms, std::size_t count)
+{
+    if (terms > 0 && !weights.terms)
+        return MW_ERROR_NULL;
+    mw_status status = MW_OK;
+    for (std::size_t k = 0; k < terms && status == MW_OK; ++k)
+        status = first_error(check_view(weights.of_term(k), count),
+                             [&] { return check_overlap(out, weights.of_term(k), count); });
+    return status;
+}
+
+template <class T>
+mw_status blend_one(const view<T, 8> &out, const T *controls, const blend_weights<T> &weights, std::size_t terms,
+                    std::size_t count)
+{
+    const mw_status called = check_call(MW_DEFAULT, MW_DEFAULT);
+    if (called != MW_OK || count == 0)
+        return called;
+    if (terms > PTRDIFF_MAX / (8 * sizeof(T)))
+        return MW_ERROR_SIZE;
+    const mw_status status = first_error(
+        check_view(out, count), [&] { return terms ? check_array(controls, 8 * terms) : MW_OK; },
+        [&] { return check_weights(out, weights, terms, count); },
+        [&] { return check_overlap(out, controls, 8 * terms, count); });
+    if (status != MW_OK)
+        return status;
+    const stream<const T> in = weights.as_stream();
+    return run<T>(kernel_id::blend_motor_one, {out.as_stream(), &in, controls, terms, count});
+}
+
+template <class T, class Motors>
+mw_status blend_each(const view<T, 8> &out, const Motors *controls, const blend_weights<T> &weights,
+                     std::size_t terms, std::size_t count)
+{
+    const mw_status called = check_call(MW_DEFAULT, MW_DEFAULT);
+    if (called != MW_OK || count == 0)
+        return called;
+    if (terms > MW_MAX_TERMS)
+        return MW_ERROR_TERM_COUNT;
+    if (terms > 0 && !controls)
+        return MW_ERROR_NULL;
+    mw_status status = first_error(check_view(out, count), [&] { return check_weights(out, weights, terms, count); });
+    view<const T, 8> views[MW_MAX_TERMS];
+    stream<const T> in[1 + MW_MAX_TERMS] = {weights.as_stream()};
+    for (std::size_t k = 0; k < terms && status == MW_OK; ++k) {
+        views[k] = view_of_motors<const T>(controls[k]);
+        in[1 + k] = views[k].as_stream();
+        status = first_error(check_view(views[k], count), [&] { return check_overlap(out, views[k], count); });
+    }
+    return status != MW_OK ? status : run<T>(kernel_id::blend_motor_each, {out.as_stream(), in, nullptr, terms, count});
+}
+
+// ----------------------------------------------------------------------------------------------------- motions
+
+template <class T, class Motion> bspline<T> bspline_of(const Motion &motion)
+{
+    return {numbers_of<T>(motion.controls), motion.control_count, motion.knots, motion.knot_count, motion.degree};
+}
+
+template <class T, class Motion> mw_status check_motion(const Motion *motion, std::size_t *where)
+{
+    return motion ? check_bspline(bspline_of<T>(*motion), where) : MW_ERROR_NULL;
+}
+
+template <class T, class Motion>
+mw_status sample(const view<T, 8> &out, const Motion *motion, const T *parameters, std::size_t count)
+{
+    const mw_status called =
+        first_error(check_call(MW_DEFAULT, MW_DEFAULT), [&] { return count ? check_motion<T>(motion, nullptr) : MW_OK; });
+    if (called != MW_OK || count == 0)
+        return called;
+    const bspline<T> spline = bspline_of<T>(*motion);
+    const mw_status status = first_error(
+        check_view(out, count), [&] { return check_array(parameters, count); },
+        [&] { return check_overlap(out, parameters, count, count); },
+        [&] { return check_overlap(out, spline.controls, 8 * spline.control_count, count); },
+        [&] { return check_overlap(out, spline.knots, spline.knot_count, count); });
+    return status != MW_OK ? status : sample_bspline(*kernels(), out, spline, parameters, count);
+}
+
+// ------------------------------------------------------------------------------------------------ single motors
+
+template <class T, class Motor> mw_status translation(Motor *out, const T *offset)
+{
+    if (!out || !offset)
+        return MW_ERROR_NULL;
+    *out = {1, 0, 0, 0, offset[0] / 2, offset[1] / 2, offset[2] / 2, 0};
+    return MW_OK;
+}
+
+// Lemma 3.11 written out: with a = (x, y, z) and q the point, b = z e12 - y e13 + x e23, and b∧q is -(a × q).
+template <class T, class Motor> mw_status rotation(Motor *out, const T *axis, T angle, const T *point)
+{
+    if (!out || !axis)
+        return MW_ERROR_NULL;
+    const double p[3] = {point ? point[0] : 0.0, point ? point[1] : 0.0, point ? point[2] : 0.0};
+    // Scaled by its largest component first, so that no square over- or underflows.
+    const double largest = std::fmax(std::fmax(std::fabs(axis[0]), std::fabs(axis[1])), std::fabs(axis[2]));
+    const double a[3] = {axis[0] / largest, axis[1] / largest, axis[2] / largest};
+    const double length = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    if (!(largest > 0) || !std::isfinite(length + angle + p[0] + p[1] + p[2]))
+        return MW_ERROR_AXIS;
+    const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle) / length;
+    const double x = s * a[0], y = s * a[1], z = s * a[2];
+    *out = {T(c),
+            T(z),
+            T(-y),
+            T(x),
+            T(z * p[1] - y * p[2]),
+            T(x * p[2] - z * p[0]),
+            T(y * p[0] - x * p[1]),
+            T(0)};
+    return MW_OK;
+}
+
+template <class T> mw_status check_motors(const view<const T, 8> &motors, std::size_t count, std::size_t *first_bad)
+{
+    const mw_status status = count ? check_view(motors, count) : MW_OK;
+    if (status != MW_OK)
+        return status;
+    for (std::size_t i = 0; i < count; ++i) {
+        const view<const T, 8> here = motors.from(i);
+        T motor[4];
+        for (int c = 0; c < 4; ++c)
+            __builtin_memcpy(&motor[c], here.component[c], sizeof(T));
+        if (is_degenerate(motor)) {
+            if (first_bad)
+                *first_bad = i;
+            return MW_ERROR_DEGENERATE_MOTOR;
+        }
+    }
+    return MW_OK;
+}
+
+} // namespace
+} // namespace motorway
+
+// ---------------------------------------------------------------------------------------------------- C functions
+
+using namespace motorway;
+
+const char *mw_status_text(mw_status status)
+{
+    switch (status) {
+    case MW_OK: return "success";
+    case MW_ERROR_NULL: return "a pointer is null; only a call with count 0 may pass null";
+    case MW_ERROR_STRIDE:
+        return "a stride is smaller than the element, or components of one view share bytes; strides are in bytes";
+    case MW_ERROR_SIZE: return "count times stride is larger than the address space";
+    case MW_ERROR_OVERLAP:
+        return "the output shares bytes with an input; pass exactly the same view to work in place, else keep them apart";
+    case MW_ERROR_FLAGS: return "a flag that this function does not know; pass MW_DEFAULT or flags named in its text";
+    case MW_ERROR_DEGENERATE_MOTOR:
+        return "a motor whose alpha (s^2 + b12^2 + b13^2 + b23^2) is zero, subnormal, infinite or NaN moves nothing";
+    case MW_ERROR_AXIS: return "the rotation axis has length zero, or a number is not finite";
+    case MW_ERROR_DEGREE: return "the degree of a motion is from 1 to 31";
+    case MW_ERROR_CONTROL_COUNT: return "a motion of degree d needs at least d + 1 control motors";
+    case MW_ERROR_KNOT_COUNT: return "a motion needs exactly control_count + degree - 1 knots";
+    case MW_ERROR_KNOTS:
+        return "knots must be finite, must not decrease, may be repeated degree + 1 times at most, and must span a domain";
+    case MW_ERROR_PARAMETER: return "a parameter is outside the domain of the motion, or NaN";
+    case MW_ERROR_TERM_COUNT: return "a blend of separate control arrays has at most 256 terms";
+    case MW_ERROR_ISA: return isa_error();
+    }
+    return "not a status of this library";
+}
+
+const char *mw_isa(void) { return kernels() ? kernels()->isa : nullptr; }
+const char *mw_isas(void) { return isa_names(); }
+
+// Everything that comes in two precisions.
+#define MOTORWAY_API(P, T)                                                                                            \
+    mw_status mw_translation_##P(mw_motor_##P *out, const T offset[3]) { return translation<T>(out, offset); }        \
+    mw_status mw_rotation_##P(mw_motor_##P *out, const T axis[3], T angle, const T point[3])                          \
+    {                                                                                                                 \
+        return rotation<T>(out, axis, angle, point);                                                                  \
+    }                                                                                                                 \
+    mw_status mw_check_motors_##P(mw_const_motors_##P motors, size_t count, size_t *first_bad)                        \
+    {                                                                                                                 \
+        return check_motors<T>(view_of_motors<const T>(motors), count, first_bad);                                    \
+    }                                                                                                                 \
+    mw_status mw_apply_point_one_##P(mw_xyz_##P out, const mw_motor_##P *motor, mw_const_xyz_##P points,              \
+                                     size_t count, unsigned flags)                                                    \
+    {                                                                                                                 \
+        return apply_one<T>(kernel_id::apply_point_one, view_of_xyz<T>(out), numbers_of<T>(motor),                    \
+                            view_of_xyz<const T>(points), count, flags);                                              \
+    }                                                                                                                 \
+    mw_status mw_apply_direction_one_##P(mw_xyz_##P out, const mw_motor_##P *motor, mw_const_xyz_##P directions,      \
+                                         size_t count, unsigned flags)                                                \
+    {                                                                                                                 \
+        return apply_one<T>(kernel_id::apply_direction_one, view_of_xyz<T>(out), numbers_of<T>(motor),                \
+                            view_of_xyz<const T>(directions), count, flags);                                          \
+    }                                                                                                                 \
+    mw_status mw_apply_point_each_##P(mw_xyz_##P out, mw_const_motors_##P motors, mw_const_xyz_##P points,            \
+                                      size_t count, unsigned flags)                                                   \
+    {                                                                                                                 \
+        return apply_each<T>(kernel_id::apply_point_each, kernel_id::apply_point_each_unit, view_of_xyz<T>(out),      \
+                             view_of_motors<const T>(motors), view_of_xyz<const T>(points), count, flags);            \
+    }                                                                                                                 \
+    mw_status mw_apply_direction_each_##P(mw_xyz_##P out, mw_const_motors_##P motors, mw_const_xyz_##P directions,    \
+                                          size_t count, unsigned flags)                                               \
+    {                                                                                                                 \
+        return apply_each<T>(kernel_id::apply_direction_each, kernel_id::apply_direction_each_unit,                   \
+                             view_of_xyz<T>(out), view_of_motors<const T>(motors), view_of_xyz<const T>(directions),  \
+                             count, flags);                                                                           \
+    }                                                                                                                 \
+    mw_status mw_compose_motor_each_##P(mw_motors_##P out, mw_const_motors_##P first, mw_const_motors_##P then,       \
+                                        size_t count)                                                                 \
+    {                                                                                                                 \
+        return stream_two(kernel_id::compose_motor_each, view_of_motors<T>(out), view_of_motors<const T>(first),      \
+                          view_of_motors<const T>(then), count);                                                      \
+    }                                                                                                                 \
+    mw_status mw_reverse_motor_each_##P(mw_motors_##P out, mw_const_motors_##P motors, size_t count)                  \
+    {                                                                                                                 \
+        return stream_one(kernel_id::reverse_motor_each, view_of_motors<T>(out), view_of_motors<const T>(motors),     \
+                          count);                                                                                     \
+    }                                                                                                                 \
+    mw_status mw_normalize_motor_each_##P(mw_motors_##P out, mw_const_motors_##P motors, size_t count)                \
+    {                                                                                                                 \
+        return stream_one(kernel_id::normalize_motor_each, view_of_motors<T>(out), view_of_motors<const T>(motors),   \
+                          count);                                                                                     \
+    }                                                                                                                 \
+    mw_status mw_blend_motor_one_##P(mw_motors_##P out, const mw_motor_##P *controls, mw_weights_##P weights,         \
+                                     size_t term_count, size_t count)                                                 \
+    {                                                                                                                 \
+        return blend_one<T>(view_of_motors<T>(out), numbers_of<T>(controls), {weights.terms, weights.stride},         \
+                            term_count, count);                                                                       \
+    }                                                                                                                 \
+    mw_status mw_blend_motor_each_##P(mw_motors_##P out, const mw_const_motors_##P *controls,                         \
+                                      mw_weights_##P weights, size_t term_count, size_t count)                        \
+    {                                                                                                                 \
+        return blend_each<T>(view_of_motors<T>(out), controls, {weights.terms, weights.stride}, term_count, count);   \
+    }                                                                                                                 \
+    mw_status mw_check_bspline_##P(const mw_bspline_##P *motion, size_t *where)                                       \
+    {                                                                                                                 \
+        return check_motion<T>(motion, where);                                                                        \
+    }                                                                                                                 \
+    mw_status mw_sample_bspline_##P(mw_motors_##P out, const mw_bspline_##P *motion, const T *parameters,             \
+                                    size_t count)                                                                     \
+    {                                                                                                                 \
+        return sample<T>(view_of_motors<T>(out), motion, parameters, count);                                          \
+    }
+
+MOTORWAY_API(f32, float)
+MOTORWAY_API(f64, double)

@@ -1,0 +1,28 @@
+// The kernels in use: the widest instruction set of this CPU, or the one that MOTORWAY_ISA asks for.
+#pragma once
+
+#include "kernel/call.h"
+
+namespace motorway {
+
+// The table in use, chosen at the first call; null if MOTORWAY_ISA asked for one that cannot run here.
+const kernel_table *kernels();
+
+// For tests and benchmarks: use this instruction set from now on. False, and no change, if it cannot run here.
+bool select_isa(const char *name);
+
+// The names of the instruction sets that can run here, best first, separated by ", ".
+const char *isa_names();
+
+// One line about a MOTORWAY_ISA that cannot run here.
+const char *isa_error();
+
+template <class T> kernel<T> find(const kernel_table &table, kernel_id id)
+{
+    if constexpr (sizeof(T) == sizeof(float))
+        return table.f32[static_cast<int>(id)];
+    else
+        return table.f64[static_cast<int>(id)];
+}
+
+} // namespace motorway

@@ -1,0 +1,2 @@
+#define MOTORWAY_ISA_avx2
+#include "unit.h"

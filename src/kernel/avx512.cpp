@@ -1,0 +1,2 @@
+#define MOTORWAY_ISA_avx512
+#include "unit.h"

@@ -1,0 +1,246 @@
+// The loops that drive a generated kernel over a batch: one for element kernels, one for affine maps of packed
+// triples, two for blends. Tails go through the same vector code.
+#pragma once
+
+#include "layout.h"
+
+namespace motorway {
+namespace MOTORWAY_ISA_NAME {
+namespace {
+
+// What the prologue makes of the fixed input, in every lane. An array of one where there is no prologue.
+template <class K, class T, class V> inline void broadcast_constants(const T *fixed, V *constant)
+{
+    if constexpr (K::constant_size > 0) {
+        T scalar[K::constant_size];
+        K::template prologue<T>(fixed, scalar);
+        for (int c = 0; c < K::constant_size; ++c)
+            constant[c] = V(scalar[c]);
+    }
+}
+
+template <class K, class V> inline void run_body(const V *constant, const V *in, V *out)
+{
+    if constexpr (K::constant_size > 0)
+        K::template body<V>(constant, in, out);
+    else
+        K::template body<V>(in, out);
+}
+
+// A kernel of one or two streams, each with its reader, into a writer.
+template <class K, class T, template <class, int> class Stream> void run_elements(const call<T> &c)
+{
+    using V = vector<T>;
+    constexpr int N = K::first_size, M = K::second_size;
+    V constant[K::constant_size + 1];
+    broadcast_constants<K>(c.fixed, constant);
+    const Stream<const T, N> first(c.in[0]);
+    const Stream<const T, M ? M : N> second(c.in[M ? 1 : 0]);
+    const Stream<T, K::output_size> out(c.out);
+    V in[N + M], result[K::output_size];
+    std::size_t i = 0;
+    for (; c.count - i >= width<T>; i += width<T>) {
+        first.load(i, in);
+        if constexpr (M > 0)
+            second.load(i, in + N);
+        run_body<K>(constant, in, result);
+        out.store(i, result);
+    }
+    if (const int left = static_cast<int>(c.count - i)) {
+        first.load_partial(i, left, in);
+        if constexpr (M > 0)
+            second.load_partial(i, left, in + N);
+        run_body<K>(constant, in, result);
+        out.store_partial(i, left, result);
+    }
+}
+
+#if !defined(MOTORWAY_ISA_scalar)
+
+// An affine map of packed triples, without transposing: in each of three output registers, lane by lane, the three
+// components of its element are picked from the input and multiplied with coefficients of period three. The order
+// of the operations is that of the body, so the bits are the same.
+template <class K, class T> class packed_affine_map {
+    using V = vector<T>;
+    static constexpr int W = width<T>;
+    static constexpr bool translates = K::constant_size == 12;
+    V matrix[3][3]; // [register][column]
+    V translation[3];
+
+    // The rows' values of one column, repeated with period three over three registers.
+    template <int R, int... J> static V repeat(const V &rows, std::integer_sequence<int, J...>)
+    {
+        return shuffle<((W * R + J) % 3)...>(rows, rows);
+    }
+    static V rows(T first, T second, T third)
+    {
+        T lanes[W] = {first, second};
+        lanes[W > 2 ? 2 : 1] = W > 2 ? third : second;
+        return load(lanes);
+    }
+    template <int R> void set_register(const T *constant)
+    {
+        for (int column = 0; column < 3; ++column)
+            matrix[R][column] = pattern<R>(constant[column], constant[3 + column], constant[6 + column]);
+        if constexpr (translates)
+            translation[R] = pattern<R>(constant[9], constant[10], constant[11]);
+    }
+    template <int R> static V pattern(T first, T second, T third)
+    {
+        if constexpr (W > 2)
+            return repeat<R>(rows(first, second, third), lanes_of<W>{});
+        else { // two lanes cannot hold three rows
+            const T cycle[] = {first, second, third, first, second, third};
+            return load(cycle + 2 * R);
+        }
+    }
+    template <int R> V map_register(const V *in) const
+    {
+        const V x = pick3<component_in_triples<R, 0, W>>(in, lanes_of<W>{});
+        const V y = pick3<component_in_triples<R, 1, W>>(in, lanes_of<W>{});
+        const V z = pick3<component_in_triples<R, 2, W>>(in, lanes_of<W>{});
+        const V first = translates ? fma(matrix[R][0], x, translation[R]) : matrix[R][0] * x;
+        return fma(matrix[R][2], z, fma(matrix[R][1], y, first));
+    }
+
+public:
+    explicit packed_affine_map(const T *fixed)
+    {
+        T constant[K::constant_size];
+        K::template prologue<T>(fixed, constant);
+        set_register<0>(constant);
+        set_register<1>(constant);
+        set_register<2>(constant);
+    }
+    void map(const V *in, V *out) const
+    {
+        out[0] = map_register<0>(in);
+        out[1] = map_register<1>(in);
+        out[2] = map_register<2>(in);
+    }
+};
+
+template <class K, class T> void run_packed_affine(const call<T> &c)
+{
+    const packed_affine_map<K, T> affine(c.fixed);
+    const packed_registers<const T, 3> from(c.in[0]);
+    const packed_registers<T, 3> to(c.out);
+    vector<T> in[3], out[3];
+    std::size_t i = 0;
+    for (; c.count - i >= width<T>; i += width<T>) {
+        from.load(i, in);
+        affine.map(in, out);
+        to.store(i, out);
+    }
+    if (const int left = static_cast<int>(c.count - i)) {
+        from.load_partial(i, left, in);
+        affine.map(in, out);
+        to.store_partial(i, left, out);
+    }
+}
+
+#endif
+
+// Whether a kernel is an affine map of triples.
+template <class K, class = void> constexpr bool is_affine = false;
+template <class K> constexpr bool is_affine<K, std::enable_if_t<K::affine>> = true;
+
+template <class K, class T> inline bool all_are(const call<T> &c, layout kind)
+{
+    return c.out.kind == kind && c.in[0].kind == kind && (K::second_size == 0 || c.in[1].kind == kind);
+}
+
+// The entry of the kernel table: the fast loops where every stream has the same layout, else the general one.
+template <class K, class T> void run(const call<T> &c)
+{
+    if (all_are<K>(c, layout::soa))
+        return run_elements<K, T, soa_stream>(c);
+    if (all_are<K>(c, layout::packed)) {
+#if !defined(MOTORWAY_ISA_scalar)
+        if constexpr (is_affine<K>)
+            return run_packed_affine<K, T>(c);
+#endif
+        return run_elements<K, T, packed_stream>(c);
+    }
+    run_elements<K, T, any_stream>(c);
+}
+
+// --------------------------------------------------------------------------------------------------- blends
+
+// The k-th weights of a batch, or the k-th controls: streams whose number is known at run time only.
+template <class T> inline stream<const T> weights_of_term(const call<T> &c, std::size_t k)
+{
+    return {c.in[0].component + k, c.in[0].stride, c.in[0].kind};
+}
+
+// One block of up to `width` blended elements. `load` and `load_partial` differ in the loads alone.
+template <class K, class T, class Load> inline void blend_block(const call<T> &c, const Load &load_term, vector<T> *sum)
+{
+    using V = vector<T>;
+    constexpr int N = K::output_size;
+    for (int n = 0; n < N; ++n)
+        sum[n] = V(T(0));
+    for (std::size_t k = 0; k < c.terms; ++k) {
+        V in[N + 1 + N]; // the sum so far, a weight, a control
+        for (int n = 0; n < N; ++n)
+            in[n] = sum[n];
+        load_term(k, in + N);
+        K::template body<V>(in, sum);
+    }
+}
+
+// The controls are the same for all elements.
+template <class K, class T> void run_blend_shared(const call<T> &c)
+{
+    using V = vector<T>;
+    constexpr int N = K::output_size;
+    const any_stream<T, N> out(c.out);
+    const auto broadcast_control = [&](std::size_t k, V *control) {
+        for (int n = 0; n < N; ++n)
+            control[n] = V(c.fixed[N * k + n]);
+    };
+    V sum[N];
+    std::size_t i = 0;
+    for (; c.count - i >= width<T>; i += width<T>) {
+        blend_block<K>(c, [&](std::size_t k, V *in) {
+            any_stream<const T, 1>(weights_of_term(c, k)).load(i, in);
+            broadcast_control(k, in + 1);
+        }, sum);
+        out.store(i, sum);
+    }
+    if (const int left = static_cast<int>(c.count - i)) {
+        blend_block<K>(c, [&](std::size_t k, V *in) {
+            any_stream<const T, 1>(weights_of_term(c, k)).load_partial(i, left, in);
+            broadcast_control(k, in + 1);
+        }, sum);
+        out.store_partial(i, left, sum);
+    }
+}
+
+// Every element has controls of its own.
+template <class K, class T> void run_blend_each(const call<T> &c)
+{
+    using V = vector<T>;
+    constexpr int N = K::output_size;
+    const any_stream<T, N> out(c.out);
+    V sum[N];
+    std::size_t i = 0;
+    for (; c.count - i >= width<T>; i += width<T>) {
+        blend_block<K>(c, [&](std::size_t k, V *in) {
+            any_stream<const T, 1>(weights_of_term(c, k)).load(i, in);
+            any_stream<const T, N>(c.in[1 + k]).load(i, in + 1);
+        }, sum);
+        out.store(i, sum);
+    }
+    if (const int left = static_cast<int>(c.count - i)) {
+        blend_block<K>(c, [&](std::size_t k, V *in) {
+            any_stream<const T, 1>(weights_of_term(c, k)).load_partial(i, left, in);
+            any_stream<const T, N>(c.in[1 + k]).load_partial(i, left, in + 1);
+        }, sum);
+        out.store_partial(i, left, sum);
+    }
+}
+
+} // namespace
+} // namespace MOTORWAY_ISA_NAME
+} // namespace motorway

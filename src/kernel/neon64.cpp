@@ -1,0 +1,2 @@
+#define MOTORWAY_ISA_neon64
+#include "unit.h"

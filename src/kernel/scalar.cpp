@@ -1,0 +1,2 @@
+#define MOTORWAY_ISA_scalar
+#include "unit.h"

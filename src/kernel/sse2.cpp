@@ -1,0 +1,2 @@
+#define MOTORWAY_ISA_sse2
+#include "unit.h"

@@ -1,0 +1,122 @@
+// Between packed elements and one register a component, in registers.
+//
+// Registers are numbered through: lane j of register r is position r width + j. Packed elements of N components have
+// component c of element e at position N e + c; the transposed form has it at position c width + e.
+#pragma once
+
+#include "simd.h"
+
+namespace motorway {
+namespace MOTORWAY_ISA_NAME {
+namespace {
+
+#if !defined(MOTORWAY_ISA_scalar)
+
+template <int Width> using lanes_of = std::make_integer_sequence<int, Width>;
+
+// A register whose lane j is position `Position::of(j)` of three registers.
+template <class Position, class V, int... J> inline V pick3(const V *r, std::integer_sequence<int, J...>)
+{
+    constexpr int W = sizeof...(J);
+    constexpr bool uses_first = ((Position::of(J) < W) || ...);
+    constexpr bool uses_last = ((Position::of(J) >= 2 * W) || ...);
+    if constexpr (!uses_last)
+        return shuffle<Position::of(J)...>(r[0], r[1]);
+    else if constexpr (!uses_first)
+        return shuffle<(Position::of(J) - W)...>(r[1], r[2]);
+    else {
+        const V front = shuffle<(Position::of(J) < 2 * W ? Position::of(J) : -1)...>(r[0], r[1]);
+        return shuffle<(Position::of(J) < 2 * W ? J : Position::of(J) - W)...>(front, r[2]);
+    }
+}
+
+// Component C of packed triples.
+template <int C> struct component_of_triple {
+    static constexpr int of(int lane) { return 3 * lane + C; }
+};
+
+// Register R of packed triples, from three registers that hold a component each.
+template <int R, int Width> struct triple_of_components {
+    static constexpr int of(int lane) { return (Width * R + lane) % 3 * Width + (Width * R + lane) / 3; }
+};
+
+// In register R of packed triples: component C of the triple that each lane belongs to.
+template <int R, int C, int Width> struct component_in_triples {
+    static constexpr int of(int lane) { return (Width * R + lane) / 3 * 3 + C; }
+};
+
+template <class V, int W> inline void unpack3(V *r)
+{
+    const V x = pick3<component_of_triple<0>>(r, lanes_of<W>{});
+    const V y = pick3<component_of_triple<1>>(r, lanes_of<W>{});
+    const V z = pick3<component_of_triple<2>>(r, lanes_of<W>{});
+    r[0] = x, r[1] = y, r[2] = z;
+}
+
+template <class V, int W> inline void pack3(V *r)
+{
+    const V a = pick3<triple_of_components<0, W>>(r, lanes_of<W>{});
+    const V b = pick3<triple_of_components<1, W>>(r, lanes_of<W>{});
+    const V c = pick3<triple_of_components<2, W>>(r, lanes_of<W>{});
+    r[0] = a, r[1] = b, r[2] = c;
+}
+
+template <class V, int... J> inline void split_even_odd(V &a, V &b, std::integer_sequence<int, J...>)
+{
+    const V even = shuffle<(2 * J)...>(a, b);
+    b = shuffle<(2 * J + 1)...>(a, b);
+    a = even;
+}
+
+template <class V, int... J> inline void merge_even_odd(V &even, V &odd, std::integer_sequence<int, J...>)
+{
+    constexpr int W = sizeof...(J);
+    const V a = shuffle<(J / 2 + J % 2 * W)...>(even, odd);
+    odd = shuffle<(W / 2 + J / 2 + J % 2 * W)...>(even, odd);
+    even = a;
+}
+
+// N = 2^k components: the even and the odd components are separated, and each half treated likewise. `Step` is the
+// distance between the registers of the sequence at hand; component c ends in register c.
+template <int N, class V, int W, int Step = 1> inline void unpack_power_of_two(V *r)
+{
+    if constexpr (N > 1) {
+        for (int k = 0; k < N; k += 2)
+            split_even_odd(r[k * Step], r[(k + 1) * Step], lanes_of<W>{});
+        unpack_power_of_two<N / 2, V, W, 2 * Step>(r);
+        unpack_power_of_two<N / 2, V, W, 2 * Step>(r + Step);
+    }
+}
+
+template <int N, class V, int W, int Step = 1> inline void pack_power_of_two(V *r)
+{
+    if constexpr (N > 1) {
+        pack_power_of_two<N / 2, V, W, 2 * Step>(r);
+        pack_power_of_two<N / 2, V, W, 2 * Step>(r + Step);
+        for (int k = 0; k < N; k += 2)
+            merge_even_odd(r[k * Step], r[(k + 1) * Step], lanes_of<W>{});
+    }
+}
+
+// N registers of packed elements into one register a component, and back.
+template <int N, class V, int W> inline void unpack(V *r)
+{
+    if constexpr (N == 3)
+        unpack3<V, W>(r);
+    else
+        unpack_power_of_two<N, V, W>(r);
+}
+
+template <int N, class V, int W> inline void pack(V *r)
+{
+    if constexpr (N == 3)
+        pack3<V, W>(r);
+    else
+        pack_power_of_two<N, V, W>(r);
+}
+
+#endif
+
+} // namespace
+} // namespace MOTORWAY_ISA_NAME
+} // namespace motorway

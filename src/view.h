@@ -1,0 +1,151 @@
+// The public views as the library sees them: checked, compared, and turned into the streams of a kernel call.
+#pragma once
+
+#include "kernel/call.h"
+#include "motorway.h"
+
+#include <cstdint>
+#include <type_traits>
+
+namespace motorway {
+
+// N base pointers and a stride. T is const for inputs.
+template <class T, int N> struct view {
+    T *component[N];
+    std::size_t stride;
+
+    stream<T> as_stream() const { return {component, stride, classify()}; }
+
+    // The view from element `first` on.
+    view from(std::size_t first) const
+    {
+        using byte = std::conditional_t<std::is_const_v<T>, const char, char>;
+        view result = *this;
+        for (T *&base : result.component)
+            base = reinterpret_cast<T *>(reinterpret_cast<byte *>(base) + first * stride);
+        return result;
+    }
+
+private:
+    layout classify() const
+    {
+        if (stride == sizeof(T))
+            return layout::soa;
+        if (stride != N * sizeof(T))
+            return layout::strided;
+        for (int c = 1; c < N; ++c)
+            if (component[c] != component[0] + c)
+                return layout::strided;
+        return layout::packed;
+    }
+};
+
+template <class T, class XYZ> view<T, 3> view_of_xyz(const XYZ &v) { return {{v.x, v.y, v.z}, v.stride}; }
+template <class T, class Motors> view<T, 8> view_of_motors(const Motors &v)
+{
+    return {{v.s, v.b12, v.b13, v.b23, v.b1i, v.b2i, v.b3i, v.w}, v.stride};
+}
+
+// ------------------------------------------------------------------------------------------------ shared bytes
+
+template <class T> std::uintptr_t address(const T *pointer) { return reinterpret_cast<std::uintptr_t>(pointer); }
+
+// Scalars of `size` bytes at low + i stride and at high + j stride, for i, j < count: is a byte common to two?
+inline bool share_bytes(std::uintptr_t a, std::uintptr_t b, std::size_t stride, std::size_t size, std::size_t count)
+{
+    const std::uintptr_t distance = a < b ? b - a : a - b;
+    const std::uintptr_t steps = distance / stride, phase = distance % stride;
+    return (phase < size && steps < count) || (stride - phase < size && steps + 1 < count);
+}
+
+// From the first byte of a view to past its last.
+struct byte_range {
+    std::uintptr_t begin, end;
+    bool meets(const byte_range &other) const { return begin < other.end && other.begin < end; }
+};
+
+template <class T, int N> byte_range range_of(const view<T, N> &v, std::size_t count)
+{
+    byte_range range{address(v.component[0]), address(v.component[0])};
+    for (const T *base : v.component) {
+        range.begin = address(base) < range.begin ? address(base) : range.begin;
+        range.end = address(base) > range.end ? address(base) : range.end;
+    }
+    range.end += (count - 1) * v.stride + sizeof(T);
+    return range;
+}
+
+template <class T> byte_range range_of(const T *array, std::size_t count)
+{
+    return {address(array), address(array) + count * sizeof(T)};
+}
+
+// -------------------------------------------------------------------------------------------------- validation
+
+// Null, stride and size. `count` is not 0.
+template <class T, int N> mw_status check_view(const view<T, N> &v, std::size_t count)
+{
+    for (const T *base : v.component)
+        if (!base)
+            return MW_ERROR_NULL;
+    if (v.stride < sizeof(T))
+        return MW_ERROR_STRIDE;
+    std::size_t extent;
+    std::uintptr_t end;
+    for (const T *base : v.component)
+        if (__builtin_mul_overflow(count, v.stride, &extent) || extent > PTRDIFF_MAX ||
+            __builtin_add_overflow(address(base), extent, &end))
+            return MW_ERROR_SIZE;
+    for (int a = 0; a < N; ++a)
+        for (int b = a + 1; b < N; ++b)
+            if (share_bytes(address(v.component[a]), address(v.component[b]), v.stride, sizeof(T), count))
+                return MW_ERROR_STRIDE;
+    return MW_OK;
+}
+
+// An array of `count` scalars or motors.
+template <class T> mw_status check_array(const T *array, std::size_t count)
+{
+    std::size_t extent;
+    std::uintptr_t end;
+    if (!array)
+        return MW_ERROR_NULL;
+    if (__builtin_mul_overflow(count, sizeof(T), &extent) || extent > PTRDIFF_MAX ||
+        __builtin_add_overflow(address(array), extent, &end))
+        return MW_ERROR_SIZE;
+    return MW_OK;
+}
+
+// MW_OK if `in` and `out` have no byte in common or are the same view.
+template <class T, int N, int M>
+mw_status check_overlap(const view<T, N> &out, const view<const T, M> &in, std::size_t count)
+{
+    if (!range_of(out, count).meets(range_of(in, count)))
+        return MW_OK;
+    if (out.stride != in.stride)
+        return MW_ERROR_OVERLAP; // their ranges meet, and so may their elements
+    for (int a = 0; a < N; ++a)
+        for (int b = 0; b < M; ++b) {
+            const bool same = N == M && a == b && out.component[a] == in.component[b];
+            if (!same && share_bytes(address(out.component[a]), address(in.component[b]), out.stride, sizeof(T), count))
+                return MW_ERROR_OVERLAP;
+        }
+    return MW_OK;
+}
+
+// The same for an array that the call reads as a whole.
+template <class T, int N, class Item>
+mw_status check_overlap(const view<T, N> &out, const Item *array, std::size_t items, std::size_t count)
+{
+    return range_of(out, count).meets(range_of(array, items)) ? MW_ERROR_OVERLAP : MW_OK;
+}
+
+// The first status of several that is not MW_OK. Later arguments are functions, so that a check may rely on those
+// before it.
+inline mw_status first_error(mw_status status) { return status; }
+template <class Check, class... Checks> mw_status first_error(mw_status status, Check check, Checks... checks)
+{
+    return status != MW_OK ? status : first_error(check(), checks...);
+}
+
+} // namespace motorway
