@@ -1,0 +1,199 @@
+#include "pose_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "error.h"
+#include "files.h"
+#include "glb.h"
+#include "mesh.h"
+#include "motion.h"
+#include "motion_file.h"
+#include "obj.h"
+#include "picture.h"
+#include "ply.h"
+#include "pose.h"
+#include "progress.h"
+#include "status.h"
+#include "text.h"
+
+namespace fs = std::filesystem;
+
+namespace motorway::tool {
+namespace {
+
+constexpr long long MOST_FRAMES = 1000000, MOST_PICTURE_POSES = 100;
+
+/* frame.obj as frame-0000.obj, frame-0001.obj and so on, with as many digits as the last one needs. */
+std::string numbered(const std::string &path, std::size_t frame, std::size_t count)
+{
+    const std::size_t digits = std::max<std::size_t>(4, std::to_string(count - 1).size());
+    std::string number = std::to_string(frame);
+    number.insert(0, digits - number.size(), '0');
+    const fs::path whole(path);
+    return (whole.parent_path() / (whole.stem().string() + "-" + number + whole.extension().string())).string();
+}
+
+bool is_animation(const PoseOptions &options)
+{
+    return extension(options.out) == ".glb";
+}
+
+/* Everything that can be refused before a file is read. */
+void check_options(const PoseOptions &options)
+{
+    const std::string kind = extension(options.out);
+    if (options.frames < 1 || options.frames > MOST_FRAMES)
+        throw Error("--frames", std::to_string(options.frames) + " will not do; give 1 to " +
+                                    grouped(std::uint64_t{MOST_FRAMES}));
+    if (kind != ".glb" && kind != ".obj" && kind != ".ply")
+        throw Error("--out", in_quotes(options.out) + " has an unknown extension; the tool writes .glb, .obj and .ply");
+    if (options.scale && !(std::isfinite(*options.scale) && *options.scale > 0))
+        throw Error("--scale", "must be above 0 and finite; correct it");
+    if (!(std::isfinite(options.frames_per_second) && options.frames_per_second > 0))
+        throw Error("--fps", "must be above 0 and finite; correct it");
+    if (options.picture_poses < 1 || options.picture_poses > MOST_PICTURE_POSES)
+        throw Error("--picture-poses", std::to_string(options.picture_poses) + " will not do; give 1 to " +
+                                           std::to_string(MOST_PICTURE_POSES));
+    if (!options.picture.empty() && extension(options.picture) != ".svg")
+        throw Error("--picture", in_quotes(options.picture) + " has an unknown extension; pictures are .svg");
+    if (!mw_isa())
+        throw Error("MOTORWAY_ISA", mw_status_text(MW_ERROR_ISA));
+    OutputFiles::check(is_animation(options) ? options.out
+                                             : numbered(options.out, 0, static_cast<std::size_t>(options.frames)));
+    if (!options.picture.empty())
+        OutputFiles::check(options.picture);
+}
+
+struct Scaling {
+    double factor;
+    std::string reason; /* for the summary */
+};
+
+Scaling choose_scale(const PoseOptions &options, const Motion &motion, const Mesh &mesh)
+{
+    if (options.scale)
+        return {*options.scale, "--scale"};
+    const double side = bounding_box(mesh).longest_side();
+    if (motion.mesh_size && side > 0)
+        return {*motion.mesh_size / side, "the motion file wants a mesh of size " + brief(*motion.mesh_size)};
+    return {1.0, ""};
+}
+
+void scale_mesh(Mesh &mesh, double factor, const std::string &path)
+{
+    for (float &coordinate : mesh.positions) {
+        coordinate = static_cast<float>(coordinate * factor);
+        if (!std::isfinite(coordinate))
+            throw Error(path, "is too large for floats when it is scaled by " + brief(factor) + "; use less");
+    }
+}
+
+/* Poses every frame once: measures its edges and, unless the output is an animation, writes it. */
+double pose_frames(OutputFiles &out, const PoseOptions &options, const Mesh &mesh,
+                   const std::vector<mw_motor_f32> &motors, const std::vector<Edge> &edges)
+{
+    const bool as_obj = extension(options.out) == ".obj";
+    Progress progress("posing frame", motors.size());
+    double deviation = 0;
+    Pose pose;
+    for (std::size_t frame = 0; frame < motors.size(); ++frame) {
+        pose_mesh(pose, mesh, motors[frame]);
+        check_finite(pose, "frame " + std::to_string(frame));
+        deviation = std::max(deviation, edge_deviation(mesh, edges, pose));
+        if (!is_animation(options))
+            out.write(numbered(options.out, frame, motors.size()),
+                      as_obj ? write_obj(mesh, pose.positions, pose.normals)
+                             : write_ply(mesh, pose.positions, pose.normals));
+        progress.step();
+    }
+    return deviation;
+}
+
+void print_line(const char *label, const std::string &text)
+{
+    std::printf("%-9s %s\n", label, text.c_str());
+}
+
+void print_mesh(const PoseOptions &options, const Mesh &mesh, const Scaling &scaling)
+{
+    print_line("mesh", options.mesh);
+    print_line("", counted(mesh.vertex_count(), "vertex") + ", " + counted(mesh.face_count(), "face"));
+    if (!scaling.reason.empty())
+        print_line("", "scaled by " + precise(scaling.factor) + " (" + scaling.reason + ")");
+    std::string left_out;
+    for (const std::string &item : mesh.left_out)
+        left_out += (left_out.empty() ? "left out: " : ", ") + item;
+    if (!left_out.empty())
+        print_line("", left_out);
+}
+
+void print_motion(const PoseOptions &options, const Motion &motion)
+{
+    print_line("motion", options.motion);
+    if (!motion.name.empty())
+        print_line("", motion.name);
+    print_line("", "degree " + std::to_string(motion.degree) + ", " + counted(motion.controls.size(), "control pose") +
+                       ", t from " + brief(static_cast<double>(motion.start())) + " to " +
+                       brief(static_cast<double>(motion.end())));
+}
+
+/* A few files by name, a long sequence by its ends. */
+void print_files(const std::vector<OutputFiles::File> &files)
+{
+    constexpr std::size_t FEW = 4;
+    const char *label = "written";
+    std::uintmax_t total = 0;
+    for (std::size_t k = 0; k < files.size(); ++k) {
+        total += files[k].bytes;
+        if (files.size() > FEW && k == 1)
+            print_line("", "...");
+        if (files.size() > FEW && k > 0 && k + 2 < files.size())
+            continue;
+        print_line(label, files[k].path + "  " + byte_size(files[k].bytes));
+        label = "";
+    }
+    if (files.size() > FEW)
+        print_line("", counted(files.size(), "file") + ", " + byte_size(total));
+}
+
+} // namespace
+
+void run_pose(const PoseOptions &options)
+{
+    check_options(options);
+    const Motion motion = read_motion(options.motion);
+    Mesh mesh = read_mesh(options.mesh);
+    const Scaling scaling = choose_scale(options, motion, mesh);
+    scale_mesh(mesh, scaling.factor, options.mesh);
+    add_missing_normals(mesh);
+    const std::vector<mw_motor_f32> motors =
+        sample(motion, even_parameters(motion, static_cast<std::size_t>(options.frames)), options.motion);
+    const std::vector<Edge> mesh_edges = edges(mesh);
+
+    OutputFiles out;
+    const double deviation = pose_frames(out, options, mesh, motors, mesh_edges);
+    if (is_animation(options))
+        out.write(options.out, write_glb(mesh, motors, options.frames_per_second, options.out));
+    if (!options.picture.empty())
+        out.write(options.picture, draw_picture(mesh, motion, static_cast<std::size_t>(options.picture_poses),
+                                                options.motion));
+    const Speed speed = measure_speed(mesh, motors);
+    out.commit();
+
+    print_mesh(options, mesh, scaling);
+    print_motion(options, motion);
+    print_line("frames", grouped(static_cast<std::uint64_t>(motors.size())));
+    print_line("ISA", mw_isa());
+    print_line("posing", brief(speed.vertices_per_second / 1e6) + " million vertices/s, each with its normal");
+    print_line("", "one thread, without reading and writing; the median of " + counted(speed.passes, "pass") +
+                       " over all frames");
+    print_line("edges", grouped(static_cast<std::uint64_t>(mesh_edges.size())) + ", whose length deviates by at most " +
+                            brief(deviation) + " from the rest pose");
+    print_line("", brief(deviation / bounding_box(mesh).diagonal()) + " of the diagonal of the bounding box");
+    print_files(out.files());
+}
+
+} // namespace motorway::tool

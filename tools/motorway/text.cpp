@@ -1,0 +1,105 @@
+#include "text.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace motorway::tool {
+
+/* strtof and not from_chars: the latter is missing for floats in some standard libraries that are still in use.
+ * Nothing in the tool calls setlocale, so a decimal point is a point. */
+template <class T> static std::optional<T> parse_real(std::string_view word, T (*convert)(const char *, char **))
+{
+    char *end = nullptr;
+    if (word.empty())
+        return std::nullopt;
+    const T value = convert(word.data(), &end);
+    if (end != word.data() + word.size())
+        return std::nullopt;
+    return value;
+}
+
+std::optional<float> parse_float(std::string_view word)
+{
+    return parse_real<float>(word, std::strtof);
+}
+
+std::optional<double> parse_double(std::string_view word)
+{
+    return parse_real<double>(word, std::strtod);
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view word)
+{
+    std::int64_t value = 0;
+    if (word.size() > 1 && word[0] == '+' && word[1] != '-')
+        word.remove_prefix(1);
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size())
+        return std::nullopt;
+    return value;
+}
+
+void append_float(std::string &text, float value)
+{
+    char digits[32];
+    text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
+std::string grouped(std::uint64_t value)
+{
+    std::string digits = std::to_string(value);
+    for (std::size_t k = digits.size(); k > 3; k -= 3)
+        digits.insert(k - 3, ",");
+    return digits;
+}
+
+std::string grouped(double value)
+{
+    return grouped(static_cast<std::uint64_t>(std::llround(value)));
+}
+
+std::string brief(double value)
+{
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.3g", value);
+    return digits;
+}
+
+std::string precise(double value)
+{
+    char digits[32];
+    return std::string(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
+std::string byte_size(std::uintmax_t bytes)
+{
+    const double kilobytes = static_cast<double>(bytes) / 1000;
+    char digits[32];
+    if (kilobytes < 1000)
+        std::snprintf(digits, sizeof digits, kilobytes < 100 ? "%.2f kB" : "%.0f kB", kilobytes);
+    else
+        std::snprintf(digits, sizeof digits, "%.2f MB", kilobytes / 1000);
+    return digits;
+}
+
+std::string counted(std::uint64_t count, const std::string &noun)
+{
+    if (count == 1)
+        return "1 " + noun;
+    if (noun == "vertex")
+        return grouped(count) + " vertices";
+    return grouped(count) + " " + noun + (noun.back() == 's' ? "es" : "s");
+}
+
+std::string in_quotes(std::string_view words)
+{
+    constexpr std::size_t LONGEST = 40;
+    std::string safe = "\"";
+    for (char c : words.substr(0, LONGEST))
+        safe += static_cast<unsigned char>(c) < ' ' || c == 0x7f ? '?' : c;
+    return safe + (words.size() > LONGEST ? "...\"" : "\"");
+}
+
+} // namespace motorway::tool
