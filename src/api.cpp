@@ -94,7 +94,7 @@ template <class T> struct blend_weights {
     view<const T, 1> of_term(std::size_t k) const { return {{terms[k]}, stride}; }
     stream<const T> as_stream() const
     {
-        return {terms, stride, stride == sizeof(T) ? layout::soa : layout::strided};
+        return {terms, stride, stride == sizeof(T) ? layout::soa : layout::interleaved};
     }
 };
 

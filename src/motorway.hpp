@@ -100,7 +100,7 @@ inline mw_const_motors_f64 soa(const double *const components[8]) { return mw_co
     {                                                                                                                 \
         return mw_translation_##P(&out, offset);                                                                      \
     }                                                                                                                 \
-    [[nodiscard]] inline status rotation(motor<T> &out, const T (&axis)[3], T angle, const T *point = nullptr)        \
+    [[nodiscard]] inline status rotation(motor<T> &out, const T (&axis)[3], T angle, const T (&point)[3] = {0, 0, 0}) \
     {                                                                                                                 \
         return mw_rotation_##P(&out, axis, angle, point);                                                             \
     }                                                                                                                 \

@@ -31,12 +31,10 @@ private:
     {
         if (stride == sizeof(T))
             return layout::soa;
-        if (stride != N * sizeof(T))
-            return layout::strided;
         for (int c = 1; c < N; ++c)
             if (component[c] != component[0] + c)
-                return layout::strided;
-        return layout::packed;
+                return layout::scattered;
+        return stride == N * sizeof(T) ? layout::packed : layout::interleaved;
     }
 };
 
@@ -50,12 +48,15 @@ template <class T, class Motors> view<T, 8> view_of_motors(const Motors &v)
 
 template <class T> std::uintptr_t address(const T *pointer) { return reinterpret_cast<std::uintptr_t>(pointer); }
 
-// Scalars of `size` bytes at low + i stride and at high + j stride, for i, j < count: is a byte common to two?
+// Scalars of `size` bytes at a + i stride and at b + j stride, for i, j < count: is a byte common to two? Every call
+// of the library asks this several times, so the two usual answers cost no division.
 inline bool share_bytes(std::uintptr_t a, std::uintptr_t b, std::size_t stride, std::size_t size, std::size_t count)
 {
     const std::uintptr_t distance = a < b ? b - a : a - b;
-    const std::uintptr_t steps = distance / stride, phase = distance % stride;
-    return (phase < size && steps < count) || (stride - phase < size && steps + 1 < count);
+    if (distance >= stride * count)
+        return false;
+    const std::uintptr_t steps = distance < stride ? 0 : distance / stride, phase = distance - steps * stride;
+    return phase < size || (stride - phase < size && steps + 1 < count);
 }
 
 // From the first byte of a view to past its last.
@@ -92,9 +93,10 @@ template <class T, int N> mw_status check_view(const view<T, N> &v, std::size_t 
         return MW_ERROR_STRIDE;
     std::size_t extent;
     std::uintptr_t end;
+    if (__builtin_mul_overflow(count, v.stride, &extent) || extent > PTRDIFF_MAX)
+        return MW_ERROR_SIZE;
     for (const T *base : v.component)
-        if (__builtin_mul_overflow(count, v.stride, &extent) || extent > PTRDIFF_MAX ||
-            __builtin_add_overflow(address(base), extent, &end))
+        if (__builtin_add_overflow(address(base), extent, &end))
             return MW_ERROR_SIZE;
     for (int a = 0; a < N; ++a)
         for (int b = a + 1; b < N; ++b)

@@ -5,11 +5,12 @@
 
 namespace motorway {
 
-// How the elements of a stream lie in memory. Each has its own loads and stores; `strided` covers everything.
+// How the elements of a stream lie in memory. Each has its own loads and stores; `scattered` covers everything.
 enum class layout : unsigned char {
-    soa,     // one contiguous array a component
-    packed,  // the components adjacent, and the elements too
-    strided, // any base pointers, any stride
+    soa,         // one contiguous array a component
+    packed,      // the components adjacent, and the elements too
+    interleaved, // the components adjacent, any stride: vertex buffers
+    scattered,   // any base pointers, any stride
 };
 
 // An array of elements: a base pointer a component, and the bytes from an element to the next.

@@ -146,10 +146,83 @@ private:
 };
 #endif
 
-// ------------------------------------------------------------------------------------------------ strided
+// -------------------------------------------------------------------------------------------- interleaved
+
+// Adjacent components, any stride: elements are moved in rows of up to four components, which are transposed in
+// registers. Lane 4 g + q holds element 4 g + q, so register q of a square holds the rows of elements q, 4 + q, ...
+#if !defined(MOTORWAY_ISA_scalar)
+template <class T, int N> class interleaved_rows {
+    using real = std::remove_const_t<T>;
+    using V = vector<real>;
+    static constexpr int W = width<real>;
+    T *base;
+    std::size_t stride;
+
+public:
+    explicit interleaved_rows(const stream<T> &s) : base(s.component[0]), stride(s.stride) {}
+    void load(std::size_t i, V *v) const
+    {
+        load_squares(v, [=](int lane) { return at(base, stride, i + lane); });
+    }
+    void load_partial(std::size_t i, int n, V *v) const
+    {
+        static constexpr real ones[] = {1, 1, 1, 1, 1, 1, 1, 1};
+        static_assert(N <= 8);
+        load_squares(v, [=](int lane) { return lane < n ? at(base, stride, i + lane) : ones; });
+    }
+    void store(std::size_t i, const V *v) const
+    {
+        store_squares(v, [=](int lane) { return at(base, stride, i + lane); });
+    }
+    void store_partial(std::size_t i, int n, const V *v) const
+    {
+        real nowhere[N];
+        real *const dropped = nowhere;
+        store_squares(v, [=](int lane) { return lane < n ? at(base, stride, i + lane) : dropped; });
+    }
+
+private:
+    template <int First> static constexpr int size = N - First < 4 ? N - First : 4;
+
+    template <int First = 0, class Address> static void load_squares(V *v, Address element)
+    {
+        if constexpr (First < N) {
+            V square[4];
+            for (int q = 0; q < 4; ++q) {
+                const real *row[rows<real>];
+                for (int g = 0; g < rows<real>; ++g)
+                    row[g] = element(4 * g + q) + First;
+                square[q] = load_rows<size<First>>(row);
+            }
+            transpose_groups(square, lanes_of<W>{});
+            for (int c = 0; c < size<First>; ++c)
+                v[First + c] = square[c];
+            load_squares<First + 4>(v, element);
+        }
+    }
+    template <int First = 0, class Address> static void store_squares(const V *v, Address element)
+    {
+        if constexpr (First < N) {
+            V square[4];
+            for (int c = 0; c < 4; ++c)
+                square[c] = v[First + (c < size<First> ? c : 0)];
+            transpose_groups(square, lanes_of<W>{});
+            for (int q = 0; q < 4; ++q) {
+                real *row[rows<real>];
+                for (int g = 0; g < rows<real>; ++g)
+                    row[g] = element(4 * g + q) + First;
+                store_rows<size<First>>(row, square[q]);
+            }
+            store_squares<First + 4>(v, element);
+        }
+    }
+};
+#endif
+
+// ---------------------------------------------------------------------------------------------- scattered
 
 // Any base pointers and any stride: lane by lane.
-template <class T, int N> class strided_stream {
+template <class T, int N> class scattered_stream {
     using real = std::remove_const_t<T>;
     using V = vector<real>;
     static constexpr int W = width<real>;
@@ -157,7 +230,7 @@ template <class T, int N> class strided_stream {
     std::size_t stride;
 
 public:
-    explicit strided_stream(const stream<T> &s) : stride(s.stride)
+    explicit scattered_stream(const stream<T> &s) : stride(s.stride)
     {
         for (int c = 0; c < N; ++c)
             base[c] = s.component[c];
@@ -195,27 +268,42 @@ private:
     }
 };
 
+// A register must hold a row for that; where it does not, lanes are as good.
+template <class T, int N, bool> struct choose_interleaved {
+    using type = scattered_stream<T, N>;
+};
+#if !defined(MOTORWAY_ISA_scalar)
+template <class T, int N> struct choose_interleaved<T, N, true> {
+    using type = interleaved_rows<T, N>;
+};
+#endif
+template <class T, int N>
+using interleaved_stream = typename choose_interleaved<T, N, (width<std::remove_const_t<T>> >= 4)>::type;
+
 // --------------------------------------------------------------------------------------------------- any
 
-// Whichever of the three the stream is, decided at every access.
+// Whichever of the four the stream is, decided at every access.
 template <class T, int N> class any_stream {
     using V = vector<std::remove_const_t<T>>;
     layout kind;
     soa_stream<T, N> soa;
     packed_stream<T, N> packed;
-    strided_stream<T, N> strided;
+    interleaved_stream<T, N> interleaved;
+    scattered_stream<T, N> scattered;
 
-    template <class Use> void use(Use use_stream) const
+    // Not inlined: four layouts a stream and several streams a loop would be a lot of code for the slow path.
+    template <class Use> __attribute__((noinline)) void use(Use use_stream) const
     {
         switch (kind) {
         case layout::soa: return use_stream(soa);
         case layout::packed: return use_stream(packed);
-        case layout::strided: return use_stream(strided);
+        case layout::interleaved: return use_stream(interleaved);
+        case layout::scattered: return use_stream(scattered);
         }
     }
 
 public:
-    explicit any_stream(const stream<T> &s) : kind(s.kind), soa(s), packed(s), strided(s) {}
+    explicit any_stream(const stream<T> &s) : kind(s.kind), soa(s), packed(s), interleaved(s), scattered(s) {}
     void load(std::size_t i, V *v) const
     {
         use([=](const auto &s) { s.load(i, v); });

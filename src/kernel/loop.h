@@ -4,6 +4,9 @@
 
 #include "layout.h"
 
+// Everything that a loop calls is compiled into it, so that elements stay in registers.
+#define MOTORWAY_LOOP __attribute__((flatten))
+
 namespace motorway {
 namespace MOTORWAY_ISA_NAME {
 namespace {
@@ -28,7 +31,7 @@ template <class K, class V> inline void run_body(const V *constant, const V *in,
 }
 
 // A kernel of one or two streams, each with its reader, into a writer.
-template <class K, class T, template <class, int> class Stream> void run_elements(const call<T> &c)
+template <class K, class T, template <class, int> class Stream> MOTORWAY_LOOP void run_elements(const call<T> &c)
 {
     using V = vector<T>;
     constexpr int N = K::first_size, M = K::second_size;
@@ -67,32 +70,24 @@ template <class K, class T> class packed_affine_map {
     V matrix[3][3]; // [register][column]
     V translation[3];
 
-    // The rows' values of one column, repeated with period three over three registers.
-    template <int R, int... J> static V repeat(const V &rows, std::integer_sequence<int, J...>)
+    // The three rows' values of one column, repeated with period three through register R.
+    template <int R, int... J> static V repeat(T first, T second, T third, std::integer_sequence<int, J...>)
     {
-        return shuffle<((W * R + J) % 3)...>(rows, rows);
-    }
-    static V rows(T first, T second, T third)
-    {
-        T lanes[W] = {first, second};
-        lanes[W > 2 ? 2 : 1] = W > 2 ? third : second;
-        return load(lanes);
+        if constexpr (W > 2) {
+            const V rows = from_lanes<T>(first, second, third);
+            return shuffle<((W * R + J) % 3)...>(rows, rows);
+        } else {
+            const T cycle[] = {first, second, third};
+            return from_lanes<T>(cycle[(W * R + J) % 3]...);
+        }
     }
     template <int R> void set_register(const T *constant)
     {
         for (int column = 0; column < 3; ++column)
-            matrix[R][column] = pattern<R>(constant[column], constant[3 + column], constant[6 + column]);
+            matrix[R][column] =
+                repeat<R>(constant[column], constant[3 + column], constant[6 + column], lanes_of<W>{});
         if constexpr (translates)
-            translation[R] = pattern<R>(constant[9], constant[10], constant[11]);
-    }
-    template <int R> static V pattern(T first, T second, T third)
-    {
-        if constexpr (W > 2)
-            return repeat<R>(rows(first, second, third), lanes_of<W>{});
-        else { // two lanes cannot hold three rows
-            const T cycle[] = {first, second, third, first, second, third};
-            return load(cycle + 2 * R);
-        }
+            translation[R] = repeat<R>(constant[9], constant[10], constant[11], lanes_of<W>{});
     }
     template <int R> V map_register(const V *in) const
     {
@@ -120,7 +115,7 @@ public:
     }
 };
 
-template <class K, class T> void run_packed_affine(const call<T> &c)
+template <class K, class T> MOTORWAY_LOOP void run_packed_affine(const call<T> &c)
 {
     const packed_affine_map<K, T> affine(c.fixed);
     const packed_registers<const T, 3> from(c.in[0]);
@@ -162,6 +157,8 @@ template <class K, class T> void run(const call<T> &c)
 #endif
         return run_elements<K, T, packed_stream>(c);
     }
+    if (all_are<K>(c, layout::interleaved))
+        return run_elements<K, T, interleaved_stream>(c);
     run_elements<K, T, any_stream>(c);
 }
 
@@ -190,7 +187,7 @@ template <class K, class T, class Load> inline void blend_block(const call<T> &c
 }
 
 // The controls are the same for all elements.
-template <class K, class T> void run_blend_shared(const call<T> &c)
+template <class K, class T> MOTORWAY_LOOP void run_blend_shared(const call<T> &c)
 {
     using V = vector<T>;
     constexpr int N = K::output_size;
@@ -218,7 +215,7 @@ template <class K, class T> void run_blend_shared(const call<T> &c)
 }
 
 // Every element has controls of its own.
-template <class K, class T> void run_blend_each(const call<T> &c)
+template <class K, class T> MOTORWAY_LOOP void run_blend_each(const call<T> &c)
 {
     using V = vector<T>;
     constexpr int N = K::output_size;

@@ -177,12 +177,83 @@ template <class T> inline void store_partial(T *to, const vector<T> &value, int 
 
 // --------------------------------------------------------------------------------------------------- shuffles
 
+// The first lanes; the others are zero.
+template <class T, class... Lanes> inline vector<T> from_lanes(Lanes... lanes)
+{
+    using native = typename vector<T>::register_type;
+    return vector<T>(native{lanes...});
+}
+
 // Lane j is lane `Lane[j]` of the concatenation of a and b; -1 where it does not matter.
 template <int... Lane, class T, class A>
 inline xsimd::batch<T, A> shuffle(const xsimd::batch<T, A> &a, const xsimd::batch<T, A> &b)
 {
     using native = typename xsimd::batch<T, A>::register_type;
     return xsimd::batch<T, A>(__builtin_shufflevector(static_cast<native>(a), static_cast<native>(b), Lane...));
+}
+
+// ------------------------------------------------------------------------------------------------------- rows
+//
+// A row is up to four adjacent scalars in memory. A register of rows holds one in each group of four lanes.
+
+template <class T> constexpr int rows = width<T> / 4; // in a register; 0 where a row does not fit
+
+// The first `Size` scalars of each row; the other lanes are zero.
+template <int Size, class T> inline vector<T> load_rows(const T *const *row)
+{
+    static_assert(Size <= 4 && rows<T> > 0);
+#if defined(MOTORWAY_ISA_avx512)
+    constexpr unsigned first = (1u << Size) - 1;
+    if constexpr (sizeof(T) == 4) {
+        __m512 r = _mm512_maskz_broadcast_f32x4(first, _mm_maskz_loadu_ps(first, row[0]));
+        r = _mm512_mask_broadcast_f32x4(r, first << 4, _mm_maskz_loadu_ps(first, row[1]));
+        r = _mm512_mask_broadcast_f32x4(r, first << 8, _mm_maskz_loadu_ps(first, row[2]));
+        return _mm512_mask_broadcast_f32x4(r, first << 12, _mm_maskz_loadu_ps(first, row[3]));
+    } else {
+        __m512d r = _mm512_maskz_broadcast_f64x4(first, _mm256_maskz_loadu_pd(first, row[0]));
+        return _mm512_mask_broadcast_f64x4(r, first << 4, _mm256_maskz_loadu_pd(first, row[1]));
+    }
+#elif defined(MOTORWAY_ISA_avx2)
+    if constexpr (sizeof(T) == 4) {
+        const __m128i mask = _mm_setr_epi32(-1, Size > 1 ? -1 : 0, Size > 2 ? -1 : 0, Size > 3 ? -1 : 0);
+        const __m256 low = _mm256_castps128_ps256(_mm_maskload_ps(row[0], mask));
+        return _mm256_insertf128_ps(low, _mm_maskload_ps(row[1], mask), 1);
+    } else
+        return _mm256_maskload_pd(row[0], first_doubles(Size));
+#else
+    if constexpr (Size == 4)
+        return load(row[0]);
+    else if constexpr (Size == 3)
+        return from_lanes<T>(read<T>(row[0]), read<T>(row[0] + 1), read<T>(row[0] + 2), T(0));
+    else
+        return from_lanes<T>(read<T>(row[0]), Size > 1 ? read<T>(row[0] + 1) : T(0), T(0), T(0));
+#endif
+}
+
+template <int Size, class T> inline void store_rows(T *const *row, const vector<T> &value)
+{
+    static_assert(Size <= 4 && rows<T> > 0);
+#if defined(MOTORWAY_ISA_avx512)
+    constexpr unsigned first = (1u << Size) - 1;
+    if constexpr (sizeof(T) == 4) {
+        _mm_mask_storeu_ps(row[0], first, _mm512_castps512_ps128(value));
+        _mm_mask_storeu_ps(row[1], first, _mm512_extractf32x4_ps(value, 1));
+        _mm_mask_storeu_ps(row[2], first, _mm512_extractf32x4_ps(value, 2));
+        _mm_mask_storeu_ps(row[3], first, _mm512_extractf32x4_ps(value, 3));
+    } else {
+        _mm256_mask_storeu_pd(row[0], first, _mm512_castpd512_pd256(value));
+        _mm256_mask_storeu_pd(row[1], first, _mm512_extractf64x4_pd(value, 1));
+    }
+#elif defined(MOTORWAY_ISA_avx2)
+    if constexpr (sizeof(T) == 4) {
+        const __m128i mask = _mm_setr_epi32(-1, Size > 1 ? -1 : 0, Size > 2 ? -1 : 0, Size > 3 ? -1 : 0);
+        _mm_maskstore_ps(row[0], mask, _mm256_castps256_ps128(value));
+        _mm_maskstore_ps(row[1], mask, _mm256_extractf128_ps(value, 1));
+    } else
+        _mm256_maskstore_pd(row[0], first_doubles(Size), value);
+#else
+    store_partial(row[0], value, Size);
+#endif
 }
 
 #endif

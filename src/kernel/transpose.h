@@ -98,6 +98,22 @@ template <int N, class V, int W, int Step = 1> inline void pack_power_of_two(V *
     }
 }
 
+// Four registers of rows: in every group of four lanes, a square of four by four is transposed.
+template <class V, int... J> inline void transpose_groups(V *r, std::integer_sequence<int, J...>)
+{
+    constexpr int W = sizeof...(J);
+    // Lanes 0 1 of a and of b alternating, then lanes 2 3.
+    const V a = shuffle<(J / 4 * 4 + J % 4 / 2 + J % 2 * W)...>(r[0], r[1]);
+    const V b = shuffle<(J / 4 * 4 + J % 4 / 2 + J % 2 * W)...>(r[2], r[3]);
+    const V c = shuffle<(J / 4 * 4 + 2 + J % 4 / 2 + J % 2 * W)...>(r[0], r[1]);
+    const V d = shuffle<(J / 4 * 4 + 2 + J % 4 / 2 + J % 2 * W)...>(r[2], r[3]);
+    // Pairs of lanes 0 1, then of 2 3.
+    r[0] = shuffle<(J / 4 * 4 + J % 2 + J % 4 / 2 * W)...>(a, b);
+    r[1] = shuffle<(J / 4 * 4 + 2 + J % 2 + J % 4 / 2 * W)...>(a, b);
+    r[2] = shuffle<(J / 4 * 4 + J % 2 + J % 4 / 2 * W)...>(c, d);
+    r[3] = shuffle<(J / 4 * 4 + 2 + J % 2 + J % 4 / 2 * W)...>(c, d);
+}
+
 // N registers of packed elements into one register a component, and back.
 template <int N, class V, int W> inline void unpack(V *r)
 {
