@@ -34,6 +34,7 @@ from plan import Operation
 from simplify import Choice, Form, choose
 
 ROOT = Path(__file__).resolve().parent.parent
+TEMPLATES = ROOT / "codegen" / "templates"
 OUTPUT = ROOT / "generated"
 MENDING = "python3 codegen/generate.py"
 
@@ -94,7 +95,7 @@ def variants_of(kernel: Kernel) -> List[Variant]:
 def render_all() -> Dict[str, str]:
     """Every file of generated/, by its path in that folder."""
     environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(str(ROOT / "codegen" / "templates")),
+        loader=jinja2.FileSystemLoader(str(TEMPLATES)),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -259,9 +260,7 @@ def write(files: Dict[str, str]) -> None:
     for name, text in files.items():
         path = OUTPUT / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8", newline="\n") if sys.version_info >= (3, 10) else path.write_bytes(
-            text.encode("utf-8")
-        )
+        path.write_bytes(text.encode("utf-8"))
     print(f"generate.py: wrote {len(files)} files to {OUTPUT.relative_to(ROOT)}/")
 
 
