@@ -10,7 +10,7 @@ from plan import Operation, Plan
 
 WIDTH = 118
 INFIX = {"mul": "*", "add": "+", "sub": "-"}
-FUNCTIONS = {"fma", "fnma", "fms", "sqrt"}
+FUNCTIONS = {"fma", "fnma", "fms", "negate", "sqrt"}
 
 
 class Writer:
@@ -65,8 +65,6 @@ class Writer:
         operands = [self.text(operand, operation.op not in FUNCTIONS) for operand in operation.operands]
         if operation.op in FUNCTIONS:
             return f"{operation.op}({', '.join(operands)})"
-        if operation.op == "neg":
-            return f"-{operands[0]}"
         sign = INFIX.get(operation.op, "/")
         text = f" {sign} ".join(operands)
         return f"({text})" if nested else text

@@ -14,7 +14,7 @@ from typing import Dict, FrozenSet, List, Sequence, Tuple
 from expression import Node, sum_of
 
 # fma(a, b, c) = a b + c, fnma = c - a b, fms = a b - c: one operation each, as on every CPU that fuses.
-ARITHMETIC = ("mul", "add", "sub", "fma", "fnma", "fms", "neg")
+ARITHMETIC = ("mul", "add", "sub", "fma", "fnma", "fms", "negate")
 # A 512-bit division or square root keeps its unit busy for as long as about 32 fused multiply-adds take.
 WEIGHT = {**{op: 1 for op in ARITHMETIC}, "div": 32, "sqrt": 32}
 
@@ -127,7 +127,7 @@ class _Lowering:
         if n.kind == "named":
             value = self.lower(n.operands[0])
             self.names.setdefault(value, n.name)
-            if value.op == "neg":
+            if value.op == "negate":
                 self.names.setdefault(value.operands[0], f"minus_{n.name}")
             return value
         if n.kind == "quotient":
@@ -167,7 +167,7 @@ class _Lowering:
         sign, magnitude = (1 if coefficient > 0 else -1), abs(coefficient)
         lowered = sorted(map(self.lower, factors), key=lambda o: o.in_body)
         for k, factor in enumerate(lowered):
-            if factor.op == "neg" and factor.in_body:  # the sign moves into the fused operation
+            if factor.op == "negate" and factor.in_body:  # the sign moves into the fused operation
                 lowered[k], sign = factor.operands[0], -sign
         if magnitude != 1 or not lowered:
             lowered.insert(0, Operation("constant", value=magnitude))
@@ -185,7 +185,7 @@ def operation_of_product(factors: Tuple[Operation, ...]) -> Operation:
 
 
 def negate(value: Operation) -> Operation:
-    return operation("neg", value)
+    return operation("negate", value)
 
 
 def accumulate(sign: int, value: Operation, term_sign: int, factors: Tuple[Operation, ...]):

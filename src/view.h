@@ -16,6 +16,15 @@ template <class T, int N> struct view {
 
     stream<T> as_stream() const { return {component, stride, classify()}; }
 
+    // The components of an element lie next to each other, in order.
+    bool is_adjacent() const
+    {
+        for (int c = 1; c < N; ++c)
+            if (component[c] != component[0] + c)
+                return false;
+        return true;
+    }
+
     // The view from element `first` on.
     view from(std::size_t first) const
     {
@@ -31,9 +40,8 @@ private:
     {
         if (stride == sizeof(T))
             return layout::soa;
-        for (int c = 1; c < N; ++c)
-            if (component[c] != component[0] + c)
-                return layout::scattered;
+        if (!is_adjacent())
+            return layout::scattered;
         return stride == N * sizeof(T) ? layout::packed : layout::interleaved;
     }
 };
@@ -83,7 +91,7 @@ template <class T> byte_range range_of(const T *array, std::size_t count)
 
 // -------------------------------------------------------------------------------------------------- validation
 
-// Null, stride and size. `count` is not 0.
+// Null, stride and size. `count` is not 0. Small calls pay for this, so the usual views leave early.
 template <class T, int N> mw_status check_view(const view<T, N> &v, std::size_t count)
 {
     for (const T *base : v.component)
@@ -98,6 +106,8 @@ template <class T, int N> mw_status check_view(const view<T, N> &v, std::size_t 
     for (const T *base : v.component)
         if (__builtin_add_overflow(address(base), extent, &end))
             return MW_ERROR_SIZE;
+    if (v.stride >= N * sizeof(T) && v.is_adjacent())
+        return MW_OK;
     for (int a = 0; a < N; ++a)
         for (int b = a + 1; b < N; ++b)
             if (share_bytes(address(v.component[a]), address(v.component[b]), v.stride, sizeof(T), count))
@@ -126,12 +136,15 @@ mw_status check_overlap(const view<T, N> &out, const view<const T, M> &in, std::
         return MW_OK;
     if (out.stride != in.stride)
         return MW_ERROR_OVERLAP; // their ranges meet, and so may their elements
-    for (int a = 0; a < N; ++a)
-        for (int b = 0; b < M; ++b) {
-            const bool same = N == M && a == b && out.component[a] == in.component[b];
-            if (!same && share_bytes(address(out.component[a]), address(in.component[b]), out.stride, sizeof(T), count))
+    bool same = N == M;
+    for (int c = 0; c < N && same; ++c)
+        same = out.component[c] == in.component[c];
+    if (same)
+        return MW_OK;
+    for (const T *a : out.component)
+        for (const T *b : in.component)
+            if (share_bytes(address(a), address(b), out.stride, sizeof(T), count))
                 return MW_ERROR_OVERLAP;
-        }
     return MW_OK;
 }
 

@@ -108,7 +108,7 @@ class Plans(unittest.TestCase):
         self.assertEqual(self.operations(A + B * C), ["fma"])
         self.assertEqual(self.operations(A * B - C), ["fms"])
         self.assertEqual(self.operations(A - B), ["sub"])
-        self.assertEqual(self.operations(-A), ["neg"])
+        self.assertEqual(self.operations(-A), ["negate"])
 
     def test_a_sign_moves_into_the_fused_operation(self):
         self.assertEqual(self.operations(A - B * (C + D)), ["add", "fnma"])
@@ -156,7 +156,7 @@ def evaluate(operation: Operation, values) -> Fraction:
         "fma": lambda a, b, c: a * b + c,
         "fnma": lambda a, b, c: c - a * b,
         "fms": lambda a, b, c: a * b - c,
-        "neg": lambda a: -a,
+        "negate": lambda a: -a,
         "sqrt": root,
     }
     return Fraction(meaning[operation.op](*[evaluate(operand, values) for operand in operation.operands]))

@@ -17,7 +17,7 @@ struct apply_point_one {
     static constexpr int output_size = 3;
     static constexpr bool affine = true;  // the constants are a matrix by rows, then a translation
 
-    // 18 mul + 13 fma + 10 fnma + 2 neg + 1 div
+    // 18 mul + 13 fma + 10 fnma + 2 negate + 1 div
     template <class V> static inline void prologue(const V *fixed, V *constant)
     {
         const V s = fixed[0], b12 = fixed[1], b13 = fixed[2], b23 = fixed[3], b1i = fixed[4], b2i = fixed[5],
@@ -28,12 +28,12 @@ struct apply_point_one {
         const V m13 = fnma(s, b13, b12 * b23) * k;
         const V shared2 = s * b12;
         const V minus_m12 = fma(b13, b23, shared2) * k;
-        const V m12 = -minus_m12;
+        const V m12 = negate(minus_m12);
         const V m11 = fnma(shared1, k, V(1));
         const V t1 = fma(b23, w, fnma(b13, b3i, fnma(b12, b2i, s * b1i))) * k;
         const V shared3 = s * b23;
         const V minus_m23 = fma(b12, b13, shared3) * k;
-        const V m23 = -minus_m23;
+        const V m23 = negate(minus_m23);
         const V shared4 = b23 * b23;
         const V m22 = fnma(fma(b12, b12, shared4), k, V(1));
         const V m21 = fnma(b13, b23, shared2) * k;

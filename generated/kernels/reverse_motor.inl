@@ -14,17 +14,17 @@ struct reverse_motor_each {
     static constexpr int first_size = 8, second_size = 0;
     static constexpr int output_size = 8;
 
-    // 6 neg
+    // 6 negate
     template <class V> static inline void body(const V *in, V *out)
     {
         const V s = in[0], b12 = in[1], b13 = in[2], b23 = in[3], b1i = in[4], b2i = in[5], b3i = in[6], w = in[7];
         out[0] = s;
-        out[1] = -b12;
-        out[2] = -b13;
-        out[3] = -b23;
-        out[4] = -b1i;
-        out[5] = -b2i;
-        out[6] = -b3i;
+        out[1] = negate(b12);
+        out[2] = negate(b13);
+        out[3] = negate(b23);
+        out[4] = negate(b1i);
+        out[5] = negate(b2i);
+        out[6] = negate(b3i);
         out[7] = w;
     }
 };

@@ -70,24 +70,25 @@ template <class K, class T> class packed_affine_map {
     V matrix[3][3]; // [register][column]
     V translation[3];
 
-    // The three rows' values of one column, repeated with period three through register R.
-    template <int R, int... J> static V repeat(T first, T second, T third, std::integer_sequence<int, J...>)
+    // The coefficients of column C in register R: those of the row that each lane belongs to. Column 3 translates.
+    template <int R, int C> struct coefficient {
+        static constexpr int of(int lane) { return C == 3 ? 9 + (W * R + lane) % 3 : (W * R + lane) % 3 * 3 + C; }
+    };
+    template <int R, int C, int... J> static V repeat(const T *constant, std::integer_sequence<int, J...> lanes)
     {
-        if constexpr (W > 2) {
-            const V rows = from_lanes<T>(first, second, third);
-            return shuffle<((W * R + J) % 3)...>(rows, rows);
-        } else {
-            const T cycle[] = {first, second, third};
-            return from_lanes<T>(cycle[(W * R + J) % 3]...);
-        }
+        if constexpr (W >= 4) {
+            const V r[] = {load(constant), load(constant + (W < 16 ? W : 0)), load(constant + (W < 8 ? 2 * W : 0))};
+            return pick3<coefficient<R, C>>(r, lanes);
+        } else
+            return from_lanes<T>(constant[coefficient<R, C>::of(J)]...);
     }
     template <int R> void set_register(const T *constant)
     {
-        for (int column = 0; column < 3; ++column)
-            matrix[R][column] =
-                repeat<R>(constant[column], constant[3 + column], constant[6 + column], lanes_of<W>{});
+        matrix[R][0] = repeat<R, 0>(constant, lanes_of<W>{});
+        matrix[R][1] = repeat<R, 1>(constant, lanes_of<W>{});
+        matrix[R][2] = repeat<R, 2>(constant, lanes_of<W>{});
         if constexpr (translates)
-            translation[R] = repeat<R>(constant[9], constant[10], constant[11], lanes_of<W>{});
+            translation[R] = repeat<R, 3>(constant, lanes_of<W>{});
     }
     template <int R> V map_register(const V *in) const
     {
@@ -101,7 +102,7 @@ template <class K, class T> class packed_affine_map {
 public:
     explicit packed_affine_map(const T *fixed)
     {
-        T constant[K::constant_size];
+        T constant[16] = {}; // whole registers
         K::template prologue<T>(fixed, constant);
         set_register<0>(constant);
         set_register<1>(constant);

@@ -90,6 +90,17 @@ inline doubles fms(const doubles &a, const doubles &b, const doubles &c) { retur
 #endif
 #endif
 
+// The sign bit alone: 0 becomes -0, which is not what every version of xsimd makes of it.
+inline float negate(float a) { return -a; }
+inline double negate(double a) { return -a; }
+#if !defined(MOTORWAY_ISA_scalar)
+template <class T, class A> inline xsimd::batch<T, A> negate(const xsimd::batch<T, A> &a)
+{
+    using native = typename xsimd::batch<T, A>::register_type;
+    return xsimd::batch<T, A>(-static_cast<native>(a));
+}
+#endif
+
 inline float sqrt(float a) { return __builtin_sqrtf(a); }
 inline double sqrt(double a) { return __builtin_sqrt(a); }
 
@@ -230,19 +241,34 @@ template <int Size, class T> inline vector<T> load_rows(const T *const *row)
 #endif
 }
 
+#if defined(MOTORWAY_ISA_avx512)
+// GCC would merge taking a row out of a register and its masked store into one instruction, which, unlike the store
+// alone, faults at addresses that the mask leaves out. The empty statement keeps them apart.
+inline void store_row(float *to, __mmask8 mask, __m128 row)
+{
+    asm("" : "+v"(row));
+    _mm_mask_storeu_ps(to, mask, row);
+}
+inline void store_row(double *to, __mmask8 mask, __m256d row)
+{
+    asm("" : "+v"(row));
+    _mm256_mask_storeu_pd(to, mask, row);
+}
+#endif
+
 template <int Size, class T> inline void store_rows(T *const *row, const vector<T> &value)
 {
     static_assert(Size <= 4 && rows<T> > 0);
 #if defined(MOTORWAY_ISA_avx512)
-    constexpr unsigned first = (1u << Size) - 1;
+    constexpr __mmask8 first = (1u << Size) - 1;
     if constexpr (sizeof(T) == 4) {
-        _mm_mask_storeu_ps(row[0], first, _mm512_castps512_ps128(value));
-        _mm_mask_storeu_ps(row[1], first, _mm512_extractf32x4_ps(value, 1));
-        _mm_mask_storeu_ps(row[2], first, _mm512_extractf32x4_ps(value, 2));
-        _mm_mask_storeu_ps(row[3], first, _mm512_extractf32x4_ps(value, 3));
+        store_row(row[0], first, _mm512_castps512_ps128(value));
+        store_row(row[1], first, _mm512_extractf32x4_ps(value, 1));
+        store_row(row[2], first, _mm512_extractf32x4_ps(value, 2));
+        store_row(row[3], first, _mm512_extractf32x4_ps(value, 3));
     } else {
-        _mm256_mask_storeu_pd(row[0], first, _mm512_castpd512_pd256(value));
-        _mm256_mask_storeu_pd(row[1], first, _mm512_extractf64x4_pd(value, 1));
+        store_row(row[0], first, _mm512_castpd512_pd256(value));
+        store_row(row[1], first, _mm512_extractf64x4_pd(value, 1));
     }
 #elif defined(MOTORWAY_ISA_avx2)
     if constexpr (sizeof(T) == 4) {

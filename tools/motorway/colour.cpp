@@ -29,7 +29,8 @@ std::string hex(const Colour &colour)
 {
     Colour shown = colour;
     std::array<double, 3> rgb = linear_rgb(shown);
-    const auto fits = [&] { return std::all_of(rgb.begin(), rgb.end(), [](double c) { return c >= 0 && c <= 1; }); };
+    const auto is_shown = [](double c) { return c > -1e-3 && c < 1 + 1e-3; };
+    const auto fits = [&] { return std::all_of(rgb.begin(), rgb.end(), is_shown); };
     for (int step = 0; step < 40 && !fits(); ++step) {
         shown.chroma *= 0.95;
         rgb = linear_rgb(shown);

@@ -117,8 +117,8 @@ private:
         accessor.bufferView = static_cast<int>(gltf.bufferViews.size()) - 1;
         accessor.componentType = component_type;
         accessor.type = type;
-        accessor.count = values / static_cast<std::size_t>(tinygltf::GetNumComponentsInType(
-                                      static_cast<std::uint32_t>(type)));
+        accessor.count =
+            values / static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
         gltf.accessors.push_back(accessor);
         return static_cast<int>(gltf.accessors.size()) - 1;
     }

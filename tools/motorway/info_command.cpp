@@ -15,9 +15,9 @@ struct Kernel {
 };
 
 constexpr Kernel KERNELS[] = {
-#define MOTORWAY_KERNEL(verb, operand, pairing, inputs, outputs, operations, divisions)                               \
+#define MOTORWAY_KERNEL(verb, operand, pairing, inputs, outputs, operations, divisions)                              \
     {#verb, #operand, #pairing, "any", inputs, outputs, operations, divisions},
-#define MOTORWAY_KERNEL_UNIT(verb, operand, pairing, inputs, outputs, operations, divisions)                          \
+#define MOTORWAY_KERNEL_UNIT(verb, operand, pairing, inputs, outputs, operations, divisions)                         \
     {#verb, #operand, #pairing, "unit", inputs, outputs, operations, divisions},
 #include "kernel_list.inc"
 };
@@ -40,8 +40,8 @@ void run_info()
     std::printf("ISAs      %s\n", mw_isas());
     std::printf("in use    %s\n\n", mw_isa());
     std::printf("kernels, each for f32 and f64; numbers an element (of a blend: an element and term)\n\n");
-    std::printf("  %-10s %-10s %-6s %-6s %5s %6s %11s %10s %10s %10s\n", "verb", "operand", "pairs", "motors", "reads",
-                "writes", "operations", "divisions", "bytes f32", "bytes f64");
+    std::printf("  %-10s %-10s %-6s %-6s %5s %6s %11s %10s %10s %10s\n", "verb", "operand", "pairs", "motors",
+                "reads", "writes", "operations", "divisions", "bytes f32", "bytes f64");
     for (const Kernel &kernel : KERNELS)
         print_kernel(kernel);
     std::printf("\n  operations: of the class of a fused multiply-add; divisions: with square roots\n");

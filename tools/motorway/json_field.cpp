@@ -36,10 +36,12 @@ public:
         return true;
     }
 
-    bool parse_error(std::size_t position, const std::string &token, const nlohmann::json::exception &problem) override
+    bool parse_error(std::size_t position, const std::string &token,
+                     const nlohmann::json::exception &problem) override
     {
         const std::size_t end = std::min(position, contents_.size());
-        const auto line = 1 + std::count(contents_.begin(), contents_.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+        const auto line =
+            1 + std::count(contents_.begin(), contents_.begin() + static_cast<std::ptrdiff_t>(end), '\n');
         const std::string place = path().empty() ? "" : "at " + path() + ": ";
         /* 406 is a number that no double holds. */
         const std::string what = problem.id == 406 ? in_quotes(token) + " is too large a number; write a smaller one"

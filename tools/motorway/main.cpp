@@ -43,11 +43,12 @@ void add_pose_command(CLI::App &app, PoseOptions &options)
     pose->add_option("--picture", options.picture, "also draw the mesh along its path, as .svg")->type_name("FILE");
     pose->add_option("--picture-poses", options.picture_poses, "how many poses the picture shows; 9 if not given")
         ->type_name("N");
-    pose->add_option("--scale", options.scale,
-                     "multiply the mesh by this first; if not given, the mesh gets the mesh_size of the motion file, "
-                     "or stays as it is if that names none")
+    pose->add_option(
+            "--scale", options.scale,
+            "multiply the mesh by this first; if not given, it gets the mesh_size of the motion file, if any")
         ->type_name("X");
-    pose->add_option("--fps", options.frames_per_second, "frames a second of a .glb; 30 if not given")->type_name("X");
+    pose->add_option("--fps", options.frames_per_second, "frames a second of a .glb; 30 if not given")
+        ->type_name("X");
     pose->callback([&options] { run_pose(options); });
 }
 

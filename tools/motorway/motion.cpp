@@ -27,8 +27,8 @@ std::vector<mw_motor_f32> sample(const Motion &motion, const std::vector<float> 
                                 parameters.size()),
           where);
     std::size_t bad = 0;
-    const mw_status status = mw_check_motors_f32(mw_const_motors_f32_aos(motors.data(), sizeof motors[0]),
-                                                 motors.size(), &bad);
+    const mw_status status =
+        mw_check_motors_f32(mw_const_motors_f32_aos(motors.data(), sizeof motors[0]), motors.size(), &bad);
     if (status == MW_ERROR_DEGENERATE_MOTOR)
         throw Error(where, "the motion has no pose at t = " + brief(static_cast<double>(parameters[bad])) +
                                ", where its controls cancel; give neighbouring controls the same sign");

@@ -18,10 +18,10 @@ mw_motor_f64 read_rotation(const Field &rotation)
     const std::vector<double> axis = rotation["axis"].numbers(3);
     if (rotation.has("degrees") == rotation.has("radians"))
         throw rotation.error("needs either \"degrees\" or \"radians\"; give one of them");
-    const double angle = rotation.has("degrees") ? rotation["degrees"].number() * (PI / 180)
-                                                 : rotation["radians"].number();
-    const std::vector<double> point = rotation.has("through") ? rotation["through"].numbers(3)
-                                                              : std::vector<double>(3, 0.0);
+    const double angle =
+        rotation.has("degrees") ? rotation["degrees"].number() * (PI / 180) : rotation["radians"].number();
+    const std::vector<double> point =
+        rotation.has("through") ? rotation["through"].numbers(3) : std::vector<double>(3, 0.0);
     mw_motor_f64 motor;
     const mw_status status = mw_rotation_f64(&motor, axis.data(), angle, point.data());
     if (status == MW_ERROR_AXIS)
@@ -153,6 +153,8 @@ Motion parse_motion(const std::string &contents, const std::string &path)
     if (root["motorway"].integer() != 1)
         throw root["motorway"].error("unknown version of the motion format; this tool reads version 1");
     Motion motion;
+    motion.controls.reserve(1); /* so that none at all is a wrong number to the library, and not a null pointer */
+    motion.knots.reserve(1);
     if (root.has("name"))
         motion.name = root["name"].string();
     if (root.has("mesh_size")) {

@@ -12,24 +12,19 @@
 namespace motorway::tool {
 namespace {
 
-/* Statements that are allowed and passed over, each with what gets lost. */
+/* Statements that are allowed and passed over, with what gets lost. */
 struct PassedOver {
-    std::string_view keyword;
+    std::string_view keywords; /* each between blanks */
     const char *loss;
 };
 constexpr PassedOver PASSED_OVER[] = {
-    {"vt", "texture coordinates"},
-    {"usemtl", "materials"}, {"mtllib", "materials"}, {"usemap", "materials"}, {"maplib", "materials"},
-    {"o", "groups"}, {"g", "groups"}, {"s", "groups"}, {"mg", "groups"},
-    {"p", "points"}, {"l", "lines"},
-    {"lod", "display attributes"}, {"bevel", "display attributes"}, {"c_interp", "display attributes"},
-    {"d_interp", "display attributes"}, {"shadow_obj", "display attributes"}, {"trace_obj", "display attributes"},
-    {"vp", "free-form geometry"}, {"cstype", "free-form geometry"}, {"deg", "free-form geometry"},
-    {"bmat", "free-form geometry"}, {"step", "free-form geometry"}, {"curv", "free-form geometry"},
-    {"curv2", "free-form geometry"}, {"surf", "free-form geometry"}, {"parm", "free-form geometry"},
-    {"trim", "free-form geometry"}, {"hole", "free-form geometry"}, {"scrv", "free-form geometry"},
-    {"sp", "free-form geometry"}, {"end", "free-form geometry"}, {"con", "free-form geometry"},
-    {"ctech", "free-form geometry"}, {"stech", "free-form geometry"},
+    {" vt ", "texture coordinates"},
+    {" usemtl mtllib usemap maplib ", "materials"},
+    {" o g s mg ", "groups"},
+    {" p ", "points"},
+    {" l ", "lines"},
+    {" lod bevel c_interp d_interp shadow_obj trace_obj ", "display attributes"},
+    {" vp cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con ctech stech ", "free-form geometry"},
 };
 
 /* The words of one statement after the other, with comments gone and continued lines joined. */
@@ -126,11 +121,13 @@ private:
 
     void pass_over()
     {
-        const auto known = std::find_if(std::begin(PASSED_OVER), std::end(PASSED_OVER),
-                                        [&](const PassedOver &passed) { return passed.keyword == words_[0]; });
-        if (known == std::end(PASSED_OVER))
-            throw error(in_quotes(words_[0]) + " is no OBJ statement; is this an OBJ file?");
-        left_out_.insert(known->loss);
+        const std::string keyword = " " + std::string(words_[0]) + " ";
+        for (const PassedOver &passed : PASSED_OVER)
+            if (passed.keywords.find(keyword) != std::string_view::npos) {
+                left_out_.insert(passed.loss);
+                return;
+            }
+        throw error(in_quotes(words_[0]) + " is no OBJ statement; is this an OBJ file?");
     }
 
     void read_face()
@@ -168,7 +165,8 @@ private:
     {
         const auto number = parse_integer(word);
         if (!number || *number == 0)
-            throw error("the corner " + in_quotes(corner) + " has no " + noun + " number; numbers start at 1 or at -1");
+            throw error("the corner " + in_quotes(corner) + " has no " + noun +
+                        " number; numbers start at 1 or at -1");
         if (*number < 0 && static_cast<std::uint64_t>(-(*number + 1)) >= count)
             throw error("the face has " + std::string(noun) + " " + std::to_string(*number) + ", but only " +
                         std::to_string(count) + " come before it; correct the index");

@@ -44,10 +44,11 @@ struct Figure {
 /* What there is to see, in space. */
 struct Scene {
     std::vector<Figure> figures;
-    std::vector<float> path;                        /* of the origin, PATH_STEPS + 1 points */
-    std::vector<std::array<Vec3, 4>> control_frames; /* the origin of each, and e1, e2, e3 as points */
-    std::vector<Triangle> triangles;                /* of vertices */
-    bool closed;                                    /* nobody sees the inside of a closed mesh */
+    std::vector<float> path;                         /* of the origin, PATH_STEPS + 1 points */
+    std::vector<std::array<Vec3, 4>> control_frames; /* the origin of each, and the tips of its axes */
+    std::vector<Triangle> triangles;                 /* of vertices */
+    bool closed;                                     /* nobody sees the inside of a closed mesh */
+    bool simplified;                                 /* the mesh has more details than are drawn */
     Box3 box;
 };
 
@@ -141,29 +142,39 @@ std::vector<Vec3> outermost_points(const Scene &scene)
     for (std::size_t i = 0; i <= PATH_STEPS; ++i)
         points.push_back(vector_at(scene.path, i));
     for (const auto &frame : scene.control_frames)
-        points.push_back(frame[0]);
+        points.insert(points.end(), frame.begin(), frame.end());
     return points;
+}
+
+/* The control poses as frames with axes of this length. */
+std::vector<std::array<Vec3, 4>> control_frames(const Motion &motion, double length)
+{
+    const float size = static_cast<float>(length);
+    const float tips[4][3] = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}};
+    std::vector<std::array<Vec3, 4>> frames(motion.controls.size());
+    for (std::size_t k = 0; k < 4; ++k) {
+        const std::vector<float> path = trace(motion.controls, tips[k]);
+        for (std::size_t i = 0; i < frames.size(); ++i)
+            frames[i][k] = vector_at(path, i);
+    }
+    return frames;
 }
 
 Scene make_scene(const Mesh &whole, const Motion &motion, std::size_t pose_count, const std::string &path)
 {
-    constexpr std::size_t MOST_FACES = 70000; /* of all figures: keeps the file below 2 MB */
+    constexpr std::size_t MOST_DRAWN = 35000; /* of all figures together: keeps the file below 2 MB */
     Scene scene;
-    scene.closed = is_closed(whole);
-    const Mesh mesh = simplified(whole, MOST_FACES / pose_count);
+    scene.closed = is_closed(whole); /* then only about half of the triangles face the eye */
+    const Mesh mesh = simplified(whole, (scene.closed ? 2 : 1) * MOST_DRAWN / pose_count);
     scene.figures = pose_figures(mesh, motion, pose_count, path);
     scene.path = trace(sample(motion, even_parameters(motion, PATH_STEPS + 1), path), ORIGIN);
-    constexpr float TIPS[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    for (const mw_motor_f32 &control : motion.controls) {
-        std::array<Vec3, 4> frame;
-        for (std::size_t k = 0; k < 4; ++k)
-            frame[k] = vector_at(trace({control}, TIPS[k]), 0);
-        scene.control_frames.push_back(frame);
-    }
+    scene.simplified = mesh.face_count() < whole.face_count();
     scene.triangles = triangles(mesh);
     for (Triangle &triangle : scene.triangles)
         for (std::uint32_t &corner : triangle)
             corner = mesh.corners[corner];
+    scene.control_frames = control_frames(motion, 0);
+    scene.control_frames = control_frames(motion, 0.055 * box_of(outermost_points(scene)).longest_side());
     scene.box = box_of(outermost_points(scene));
     return scene;
 }
@@ -214,7 +225,8 @@ void draw_ground(Svg &svg, const Scene &scene, const Camera &camera)
     const double back = std::floor((b.low.z - margin) / step), front = std::ceil((b.high.z + margin) / step);
     const Point2 middle = camera.project({0.5 * (b.low.x + b.high.x), b.low.y, 0.5 * (b.low.z + b.high.z)});
     svg.add("<radialGradient id=\"fade\" gradientUnits=\"userSpaceOnUse\" cx=\"0\" cy=\"0\" r=\"1\" "
-            "gradientTransform=\"translate(" + svg_number(middle.x) + " " + svg_number(middle.y) +
+            "gradientTransform=\"translate(" +
+            svg_number(middle.x) + " " + svg_number(middle.y) +
             ") scale(820 330)\"><stop offset=\".35\" stop-color=\"#fff\"/>"
             "<stop offset=\"1\" stop-color=\"#000\"/></radialGradient>");
     svg.add("<mask id=\"near\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\" width=\"" + svg_number(WIDTH) +
@@ -268,8 +280,10 @@ void draw_shadows(Svg &svg, const Scene &scene, const Camera &camera)
         const double lift = (lowest - scene.box.low.y) / height;
         const std::string blur = svg_number(7 + 22 * lift);
         const std::string id = "blur" + std::to_string(&figure - scene.figures.data());
-        svg.add("<filter id=\"" + id + "\" x=\"-50%\" y=\"-100%\" width=\"200%\" height=\"300%\">"
-                "<feGaussianBlur stdDeviation=\"" + blur + "\"/></filter>");
+        svg.add("<filter id=\"" + id +
+                "\" x=\"-50%\" y=\"-100%\" width=\"200%\" height=\"300%\">"
+                "<feGaussianBlur stdDeviation=\"" +
+                blur + "\"/></filter>");
         char opacity[16];
         std::snprintf(opacity, sizeof opacity, "%.2f", 0.42 - 0.30 * lift);
         svg.add("<g filter=\"url(#" + id + ")\" opacity=\"" + opacity + "\"><path transform=\"scale(.1)\" class=\"" +
@@ -328,8 +342,8 @@ void add_path(std::vector<Shape> &shapes, Svg &svg, const Scene &scene, const Ca
         colour.lightness -= 0.14;
         const std::string style =
             svg.style("fill:none;stroke:" + hex(colour) + ";stroke-width:45;stroke-linecap:round");
-        shapes.push_back({camera.distance(0.5 * (a + b)), style,
-                          svg_tenths({camera.project(a), camera.project(b)}, false)});
+        shapes.push_back(
+            {camera.distance(0.5 * (a + b)), style, svg_tenths({camera.project(a), camera.project(b)}, false)});
     }
 }
 
@@ -379,14 +393,13 @@ std::string control_name(const Motion &motion, std::size_t i)
 
 void draw_controls(Svg &svg, const Scene &scene, const Motion &motion, const Camera &camera)
 {
-    const double size = 0.055 * scene.box.longest_side();
     const char *const colours[] = {"#d6455d", "#2f9e62", "#3565d6"};
     for (std::size_t i = 0; i < scene.control_frames.size(); ++i) {
         const auto &frame = scene.control_frames[i];
         const Point2 origin = camera.project(frame[0]);
         for (const char *pass : {"halo", "axis"})
             for (std::size_t k = 0; k < 3; ++k) {
-                const Point2 tip = camera.project(frame[0] + size * (frame[k + 1] - frame[0]));
+                const Point2 tip = camera.project(frame[k + 1]);
                 const bool halo = pass[0] == 'h';
                 svg.line(origin, tip,
                          std::string("fill:none;stroke-linecap:round;stroke:") + (halo ? "#fff" : colours[k]) +
@@ -406,7 +419,7 @@ void draw_caption(Svg &svg, const Scene &scene, const Mesh &mesh, const Motion &
     svg.text({60, 74}, "font-size:30px;font-weight:600;fill:#1f2540", motion.name.empty() ? what : motion.name);
     svg.text({60, 106}, "font-size:19px;fill:#5b6479",
              (motion.name.empty() ? "" : what + " · ") + counted(mesh.vertex_count(), "vertex") + " at " +
-                 counted(scene.figures.size(), "pose"));
+                 counted(scene.figures.size(), "pose") + (scene.simplified ? ", simplified for the picture" : ""));
     constexpr double LEFT = WIDTH - 360, RIGHT = WIDTH - 60, TOP = HEIGHT - 62;
     std::string stops;
     for (int k = 0; k <= 12; ++k)
@@ -425,8 +438,8 @@ void draw_caption(Svg &svg, const Scene &scene, const Mesh &mesh, const Motion &
 void draw_background(Svg &svg)
 {
     svg.add("<linearGradient id=\"air\" x2=\"0\" y2=\"1\"><stop stop-color=\"#fdfdfe\"/>"
-            "<stop offset=\"1\" stop-color=\"#e9edf4\"/></linearGradient>\n<rect width=\"" + svg_number(WIDTH) +
-            "\" height=\"" + svg_number(HEIGHT) + "\" fill=\"url(#air)\"/>");
+            "<stop offset=\"1\" stop-color=\"#e9edf4\"/></linearGradient>\n<rect width=\"" +
+            svg_number(WIDTH) + "\" height=\"" + svg_number(HEIGHT) + "\" fill=\"url(#air)\"/>");
 }
 
 } // namespace

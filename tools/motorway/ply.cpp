@@ -57,7 +57,9 @@ private:
     {
         const std::vector<std::string> names = {"x", "y", "z", "nx", "ny", "nz"};
         const std::vector<std::size_t> places = slots(element, names);
-        const auto has = [&](std::size_t slot) { return std::find(places.begin(), places.end(), slot) != places.end(); };
+        const auto has = [&](std::size_t slot) {
+            return std::find(places.begin(), places.end(), slot) != places.end();
+        };
         if (!has(0) || !has(1) || !has(2))
             throw Error(path_ + ":" + std::to_string(element.line), "the vertices have no x, y and z; add them");
         const bool has_normals = has(3) && has(4) && has(5);
@@ -111,13 +113,13 @@ private:
     {
         const std::uint64_t count = list_length(property, name, row);
         if (count < 3)
-            throw values_->error(name, row, "there are " + std::to_string(count) +
-                                                " corners; a face needs 3 or more");
+            throw values_->error(name, row,
+                                 "there are " + std::to_string(count) + " corners; a face needs 3 or more");
         for (std::uint64_t k = 0; k < count; ++k) {
             const std::int64_t index = values_->integer(property.type, name, row);
             if (index < 0 || index > std::numeric_limits<std::uint32_t>::max())
-                throw values_->error(name, row, "vertex " + std::to_string(index) +
-                                                    " does not exist; correct the index");
+                throw values_->error(name, row,
+                                     "vertex " + std::to_string(index) + " does not exist; correct the index");
             mesh_.corners.push_back(static_cast<std::uint32_t>(index));
         }
         mesh_.face_starts.push_back(mesh_.corners.size());
@@ -158,8 +160,7 @@ private:
                     throw Error(face_lines_.empty() ? path_ : path_ + ":" + std::to_string(face_lines_[face]),
                                 "face " + std::to_string(face) + " has vertex " +
                                     std::to_string(mesh_.corners[corner]) + ", but there are " +
-                                    std::to_string(mesh_.vertex_count()) +
-                                    " (counting from 0); correct the index");
+                                    std::to_string(mesh_.vertex_count()) + " (counting from 0); correct the index");
     }
 
     std::string path_;

@@ -14,10 +14,12 @@ struct TypeName {
     PlyType type;
 };
 constexpr TypeName TYPE_NAMES[] = {
-    {"char", PlyType::int8},    {"int8", PlyType::int8},       {"uchar", PlyType::uint8},    {"uint8", PlyType::uint8},
-    {"short", PlyType::int16},  {"int16", PlyType::int16},     {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},
-    {"int", PlyType::int32},    {"int32", PlyType::int32},     {"uint", PlyType::uint32},    {"uint32", PlyType::uint32},
-    {"float", PlyType::float32}, {"float32", PlyType::float32}, {"double", PlyType::float64}, {"float64", PlyType::float64},
+    {"char", PlyType::int8},       {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
+    {"uint8", PlyType::uint8},     {"short", PlyType::int16},     {"int16", PlyType::int16},
+    {"ushort", PlyType::uint16},   {"uint16", PlyType::uint16},   {"int", PlyType::int32},
+    {"int32", PlyType::int32},     {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
+    {"float", PlyType::float32},   {"float32", PlyType::float32}, {"double", PlyType::float64},
+    {"float64", PlyType::float64},
 };
 
 class HeaderReader {
@@ -113,7 +115,8 @@ private:
             property.count_type = type(words_[2]);
             property.type = type(words_[3]);
             if (!ply_is_integer(property.count_type))
-                throw error("the length of a list is a whole number, not " + in_quotes(words_[2]) + "; correct the type");
+                throw error("the length of a list is a whole number, not " + in_quotes(words_[2]) +
+                            "; correct the type");
         } else if (words_.size() == 3) {
             property.type = type(words_[1]);
         } else {
@@ -132,7 +135,8 @@ private:
         for (const TypeName &known : TYPE_NAMES)
             if (known.name == name)
                 return known.type;
-        throw error("unknown type " + in_quotes(name) + "; use float, double, char, uchar, short, ushort, int or uint");
+        throw error("unknown type " + in_quotes(name) +
+                    "; use float, double, char, uchar, short, ushort, int or uint");
     }
 
     /* A count that the rest of the file cannot hold is an error here, before anything is allocated for it. */
@@ -142,9 +146,9 @@ private:
         for (const PlyElement &element : header_.elements) {
             std::uint64_t smallest = 0;
             for (const PlyProperty &property : element.properties)
-                smallest += header_.format == PlyFormat::ascii ? 2
-                                                               : ply_size(property.is_list ? property.count_type
-                                                                                           : property.type);
+                smallest += header_.format == PlyFormat::ascii
+                                ? 2
+                                : ply_size(property.is_list ? property.count_type : property.type);
             /* The last word of an ascii file needs no blank behind it. */
             if (smallest > 0 && element.count > (room + 1) / smallest)
                 throw error_at(element.line, std::to_string(element.count) + " times " + in_quotes(element.name) +

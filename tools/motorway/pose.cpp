@@ -15,7 +15,8 @@ void pose_mesh(Pose &out, const Mesh &mesh, const mw_motor_f32 &motor)
     out.positions.resize(mesh.positions.size());
     out.normals.resize(mesh.normals.size());
     check(mw_apply_point_one_f32(mw_xyz_f32_aos(out.positions.data(), STRIDE), &motor,
-                                 mw_const_xyz_f32_aos(mesh.positions.data(), STRIDE), mesh.vertex_count(), MW_DEFAULT),
+                                 mw_const_xyz_f32_aos(mesh.positions.data(), STRIDE), mesh.vertex_count(),
+                                 MW_DEFAULT),
           "posing the vertices");
     check(mw_apply_direction_one_f32(mw_xyz_f32_aos(out.normals.data(), STRIDE), &motor,
                                      mw_const_xyz_f32_aos(mesh.normals.data(), STRIDE), mesh.normal_count(),

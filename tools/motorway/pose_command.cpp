@@ -49,7 +49,8 @@ void check_options(const PoseOptions &options)
         throw Error("--frames", std::to_string(options.frames) + " will not do; give 1 to " +
                                     grouped(std::uint64_t{MOST_FRAMES}));
     if (kind != ".glb" && kind != ".obj" && kind != ".ply")
-        throw Error("--out", in_quotes(options.out) + " has an unknown extension; the tool writes .glb, .obj and .ply");
+        throw Error("--out",
+                    in_quotes(options.out) + " has an unknown extension; the tool writes .glb, .obj and .ply");
     if (options.scale && !(std::isfinite(*options.scale) && *options.scale > 0))
         throw Error("--scale", "must be above 0 and finite; correct it");
     if (!(std::isfinite(options.frames_per_second) && options.frames_per_second > 0))
@@ -135,8 +136,9 @@ void print_motion(const PoseOptions &options, const Motion &motion)
     print_line("motion", options.motion);
     if (!motion.name.empty())
         print_line("", motion.name);
-    print_line("", "degree " + std::to_string(motion.degree) + ", " + counted(motion.controls.size(), "control pose") +
-                       ", t from " + brief(static_cast<double>(motion.start())) + " to " +
+    print_line("", "degree " + std::to_string(motion.degree) + ", " +
+                       counted(motion.controls.size(), "control pose") + ", t from " +
+                       brief(static_cast<double>(motion.start())) + " to " +
                        brief(static_cast<double>(motion.end())));
 }
 
@@ -178,8 +180,8 @@ void run_pose(const PoseOptions &options)
     if (is_animation(options))
         out.write(options.out, write_glb(mesh, motors, options.frames_per_second, options.out));
     if (!options.picture.empty())
-        out.write(options.picture, draw_picture(mesh, motion, static_cast<std::size_t>(options.picture_poses),
-                                                options.motion));
+        out.write(options.picture,
+                  draw_picture(mesh, motion, static_cast<std::size_t>(options.picture_poses), options.motion));
     const Speed speed = measure_speed(mesh, motors);
     out.commit();
 
@@ -187,11 +189,13 @@ void run_pose(const PoseOptions &options)
     print_motion(options, motion);
     print_line("frames", grouped(static_cast<std::uint64_t>(motors.size())));
     print_line("ISA", mw_isa());
-    print_line("posing", brief(speed.vertices_per_second / 1e6) + " million vertices/s, each with its normal");
+    const double millions = speed.vertices_per_second / 1e6;
+    print_line("posing",
+               (millions < 100 ? brief(millions) : grouped(millions)) + " million vertices/s, each with its normal");
     print_line("", "one thread, without reading and writing; the median of " + counted(speed.passes, "pass") +
                        " over all frames");
-    print_line("edges", grouped(static_cast<std::uint64_t>(mesh_edges.size())) + ", whose length deviates by at most " +
-                            brief(deviation) + " from the rest pose");
+    print_line("edges", grouped(static_cast<std::uint64_t>(mesh_edges.size())) +
+                            ", whose length deviates by at most " + brief(deviation) + " from the rest pose");
     print_line("", brief(deviation / bounding_box(mesh).diagonal()) + " of the diagonal of the bounding box");
     print_files(out.files());
 }

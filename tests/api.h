@@ -1,0 +1,78 @@
+// The C API by precision: Api<float>::compose_motor_each is mw_compose_motor_each_f32. And views of any number of
+// components, which the testers lay out and turn into those of the API.
+#ifndef MOTORWAY_TESTS_API_H
+#define MOTORWAY_TESTS_API_H
+
+#include <cstddef>
+#include <vector>
+
+#include "motorway.h"
+
+namespace motorway::testing {
+
+template <class T>
+struct Api;
+
+#define MOTORWAY_TEST_API(T, precision)                                                                  \
+    template <>                                                                                          \
+    struct Api<T> {                                                                                      \
+        static constexpr const char *name = #precision;                                                  \
+        using Motor = mw_motor_##precision;                                                              \
+        using Xyz = mw_xyz_##precision;                                                                  \
+        using ConstXyz = mw_const_xyz_##precision;                                                       \
+        using Motors = mw_motors_##precision;                                                            \
+        using ConstMotors = mw_const_motors_##precision;                                                 \
+        using Weights = mw_weights_##precision;                                                          \
+        using Bspline = mw_bspline_##precision;                                                          \
+        static constexpr auto xyz_aos = mw_xyz_##precision##_aos;                                        \
+        static constexpr auto const_xyz_aos = mw_const_xyz_##precision##_aos;                            \
+        static constexpr auto motors_aos = mw_motors_##precision##_aos;                                  \
+        static constexpr auto const_motors_aos = mw_const_motors_##precision##_aos;                      \
+        static constexpr auto translation = mw_translation_##precision;                                  \
+        static constexpr auto rotation = mw_rotation_##precision;                                        \
+        static constexpr auto check_motors = mw_check_motors_##precision;                                \
+        static constexpr auto apply_point_one = mw_apply_point_one_##precision;                          \
+        static constexpr auto apply_point_each = mw_apply_point_each_##precision;                        \
+        static constexpr auto apply_direction_one = mw_apply_direction_one_##precision;                  \
+        static constexpr auto apply_direction_each = mw_apply_direction_each_##precision;                \
+        static constexpr auto compose_motor_each = mw_compose_motor_each_##precision;                    \
+        static constexpr auto reverse_motor_each = mw_reverse_motor_each_##precision;                    \
+        static constexpr auto normalize_motor_each = mw_normalize_motor_each_##precision;                \
+        static constexpr auto blend_motor_one = mw_blend_motor_one_##precision;                          \
+        static constexpr auto blend_motor_each = mw_blend_motor_each_##precision;                        \
+        static constexpr auto check_bspline = mw_check_bspline_##precision;                              \
+        static constexpr auto sample_bspline = mw_sample_bspline_##precision;                            \
+    };
+
+MOTORWAY_TEST_API(float, f32)
+MOTORWAY_TEST_API(double, f64)
+#undef MOTORWAY_TEST_API
+
+// Component k of element i is `stride` * i bytes behind component[k], and need not be aligned.
+template <class T>
+struct View {
+    std::vector<T *> component;
+    std::size_t stride = 0;
+
+    typename Api<T>::Xyz xyz() const { return {component[0], component[1], component[2], stride}; }
+    typename Api<T>::ConstXyz const_xyz() const { return {component[0], component[1], component[2], stride}; }
+
+    typename Api<T>::Motors motors() const
+    {
+        const auto &c = component;
+        return {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], stride};
+    }
+
+    typename Api<T>::ConstMotors const_motors() const
+    {
+        const auto &c = component;
+        return {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], stride};
+    }
+
+    // The pointers are those of this view, which must live as long.
+    typename Api<T>::Weights weights() const { return {const_cast<const T *const *>(component.data()), stride}; }
+};
+
+}  // namespace motorway::testing
+
+#endif

@@ -1,0 +1,721 @@
+// Every status: what causes it, and that nothing is written then.
+
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "kernel_list.h"
+#include "precisions.h"
+
+namespace motorway::testing {
+namespace {
+
+TEST(StatusText, every_status_has_a_line_of_its_own)
+{
+    std::set<std::string> texts;
+    for (int status = MW_OK; status <= MW_ERROR_ISA; ++status) {
+        const char *text = mw_status_text(static_cast<mw_status>(status));
+        ASSERT_NE(text, nullptr) << status;
+        EXPECT_GT(std::strlen(text), 3u) << status;
+        EXPECT_EQ(std::strchr(text, '\n'), nullptr) << text;
+        EXPECT_TRUE(texts.insert(text).second) << text;
+    }
+}
+
+TEST(StatusText, an_unknown_number_has_a_line_too)
+{
+    const char *text = mw_status_text(static_cast<mw_status>(MW_ERROR_ISA + 1));
+    ASSERT_NE(text, nullptr);
+    EXPECT_GT(std::strlen(text), 3u);
+    EXPECT_STRNE(text, mw_status_text(MW_OK));
+}
+
+TEST(StatusText, of_an_instruction_set_names_those_that_run)
+{
+    EXPECT_NE(std::strstr(mw_status_text(MW_ERROR_ISA), mw_isas()), nullptr);
+}
+
+// The operands of a kernel in one block of memory, each element followed by a gap, each operand by a margin. A test
+// spoils a view and expects a status, and that not a byte of the block changes.
+template <class T>
+class Operands {
+public:
+    static constexpr std::size_t count = 20, stride = 16 * sizeof(T), margin = 64 * sizeof(T);
+
+    explicit Operands(const Subject<T> &subject) : subject_(subject)
+    {
+        const std::size_t operands = subject.inputs().size() + 1;
+        memory_.assign(operands * (count * stride + margin) + margin, 0xcd);
+        for (std::size_t k = 0; k < operands; ++k) {
+            const bool is_output = k + 1 == operands;
+            const std::size_t components = is_output ? subject.output_components() : subject.inputs()[k].components;
+            views.push_back(aos(at(margin + k * (count * stride + margin)), components));
+        }
+        draw_inputs();
+    }
+
+    View<T> &out() { return views.back(); }
+    View<T> &input(std::size_t k) { return views[k]; }
+
+    View<T> aos(unsigned char *first, std::size_t components) const
+    {
+        View<T> view;
+        for (std::size_t c = 0; c < components; ++c)
+            view.component.push_back(reinterpret_cast<T *>(first + c * sizeof(T)));
+        view.stride = stride;
+        return view;
+    }
+
+    unsigned char *address(const View<T> &view) const { return reinterpret_cast<unsigned char *>(view.component[0]); }
+
+    mw_status run(std::size_t elements = count)
+    {
+        return subject_.run(out(), std::vector<View<T>>(views.begin(), views.end() - 1), elements);
+    }
+
+    void expect(mw_status status, const std::string &what, std::size_t elements = count)
+    {
+        const std::vector<unsigned char> before = memory_;
+        const mw_status got = run(elements);
+        const std::string name = subject_.name() + " " + Api<T>::name + ", " + what;
+        EXPECT_EQ(got, status) << name << ": " << mw_status_text(got);
+        EXPECT_TRUE(memory_ == before) << name << ": bytes changed";
+    }
+
+    std::vector<View<T>> views;
+
+private:
+    unsigned char *at(std::size_t offset) { return memory_.data() + offset; }
+
+    void draw_inputs()
+    {
+        Random random(61);
+        for (std::size_t i = 0; i < count; ++i) {
+            std::vector<std::vector<T>> element;
+            std::vector<T *> pointers;
+            for (const auto &input : subject_.inputs())
+                element.emplace_back(input.components + 1);
+            for (auto &components : element)
+                pointers.push_back(components.data());
+            subject_.draw(random, pointers.data());
+            for (std::size_t k = 0; k < element.size(); ++k)
+                std::memcpy(address(views[k]) + i * stride, element[k].data(),
+                            subject_.inputs()[k].components * sizeof(T));
+        }
+    }
+
+    const Subject<T> &subject_;
+    std::vector<unsigned char> memory_;
+};
+
+template <class T>
+class ErrorTest : public ::testing::Test {
+protected:
+    // Once for every kernel of the list, with operands of its own.
+    static void for_every_kernel(const std::function<void(const Subject<T> &, Operands<T>)> &body)
+    {
+        for (const KernelRow &row : kernel_rows()) {
+            const auto subjects = row.subjects<T>();
+            Operands<T> operands(*subjects.front());
+            ASSERT_EQ(operands.run(), MW_OK) << row.name << ": the operands are not even valid";
+            body(*subjects.front(), Operands<T>(*subjects.front()));
+        }
+    }
+};
+
+TYPED_TEST_SUITE(ErrorTest, Precisions, PrecisionName);
+
+TYPED_TEST(ErrorTest, a_null_component_of_any_operand)
+{
+    using T = TypeParam;
+    this->for_every_kernel([](const Subject<T> &, Operands<T> operands) {
+        for (View<T> &view : operands.views)
+            for (T *&component : view.component) {
+                T *const kept = std::exchange(component, nullptr);
+                operands.expect(MW_ERROR_NULL, "null");
+                component = kept;
+            }
+    });
+}
+
+// One byte less than the element, one scalar, nothing. The weights of one term are an array of scalars.
+TYPED_TEST(ErrorTest, a_stride_smaller_than_the_element)
+{
+    using T = TypeParam;
+    this->for_every_kernel([](const Subject<T> &subject, Operands<T> operands) {
+        for (std::size_t k = 0; k < operands.views.size(); ++k) {
+            View<T> &view = operands.views[k];
+            const bool weights = k < subject.inputs().size() && subject.inputs()[k].operand == Operand::weights;
+            const std::size_t element = (weights ? 1 : view.component.size()) * sizeof(T);
+            for (std::size_t stride : {element - 1, element - sizeof(T), sizeof(T) - 1, std::size_t(0)}) {
+                view.stride = stride;
+                operands.expect(MW_ERROR_STRIDE,
+                                "operand " + std::to_string(k) + ", stride " + std::to_string(stride));
+            }
+            view.stride = operands.stride;
+        }
+    });
+}
+
+// A stride is large enough, and two components are the same or half of each other.
+TYPED_TEST(ErrorTest, components_of_one_view_that_share_bytes)
+{
+    using T = TypeParam;
+    this->for_every_kernel([](const Subject<T> &subject, Operands<T> operands) {
+        for (std::size_t k = 0; k < operands.views.size(); ++k) {
+            if (k < subject.inputs().size() && subject.inputs()[k].operand == Operand::weights)
+                continue;  // an array for each term, and two terms may well have the same weights
+            View<T> &view = operands.views[k];
+            T *const kept = view.component[2];
+            for (std::ptrdiff_t bytes : {std::ptrdiff_t(0), std::ptrdiff_t(1), std::ptrdiff_t(sizeof(T)) - 1,
+                                         std::ptrdiff_t(operands.stride), 1 - std::ptrdiff_t(operands.stride)}) {
+                view.component[2] = reinterpret_cast<T *>(reinterpret_cast<char *>(view.component[1]) + bytes);
+                operands.expect(MW_ERROR_STRIDE,
+                                "component 2 is " + std::to_string(bytes) + " bytes behind component 1");
+            }
+            view.component[2] = kept;
+        }
+    });
+}
+
+TYPED_TEST(ErrorTest, a_size_beyond_the_address_space)
+{
+    using T = TypeParam;
+    constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+    this->for_every_kernel([](const Subject<T> &, Operands<T> operands) {
+        for (std::size_t elements : {most, most / 2, most / operands.stride + 1, most / operands.stride})
+            operands.expect(MW_ERROR_SIZE, std::to_string(elements) + " elements", elements);
+    });
+    this->for_every_kernel([](const Subject<T> &, Operands<T> operands) {
+        for (View<T> &view : operands.views) {
+            view.stride = most / 4;
+            operands.expect(MW_ERROR_SIZE, "a stride of a quarter of the address space");
+            view.stride = operands.stride;
+        }
+    });
+}
+
+TYPED_TEST(ErrorTest, an_output_that_overlaps_an_input_in_part)
+{
+    using T = TypeParam;
+    this->for_every_kernel([](const Subject<T> &subject, Operands<T> operands) {
+        const View<T> out = operands.out();
+        const std::ptrdiff_t stride = operands.stride, scalar = sizeof(T), count = operands.count;
+        for (std::size_t k = 0; k < subject.inputs().size(); ++k) {
+            const View<T> &input = operands.input(k);
+            const std::ptrdiff_t in_bytes = (count - 1) * stride + scalar * std::ptrdiff_t(input.component.size());
+            const std::ptrdiff_t out_bytes = (count - 1) * stride + scalar * std::ptrdiff_t(out.component.size());
+            // By a byte, a component, an element; then by the last byte of one and the first of the other.
+            for (std::ptrdiff_t shift : {std::ptrdiff_t(1), std::ptrdiff_t(-1), scalar, -scalar, stride, -stride,
+                                         stride + 1, 3 * stride, in_bytes - 1, 1 - out_bytes}) {
+                operands.out() = operands.aos(operands.address(input) + shift, out.component.size());
+                operands.expect(MW_ERROR_OVERLAP, "the output is " + std::to_string(shift) + " bytes behind input " +
+                                                      std::to_string(k));
+            }
+            for (std::size_t other : {operands.stride + sizeof(T), operands.stride + 1, 2 * operands.stride}) {
+                operands.out() = operands.aos(operands.address(input), out.component.size());
+                operands.out().stride = other;
+                operands.expect(MW_ERROR_OVERLAP, "a stride of " + std::to_string(other) + " in place of input " +
+                                                      std::to_string(k));
+            }
+        }
+        operands.out() = out;
+    });
+}
+
+// The same bytes are not the same view: components exchanged, or some of them elsewhere.
+TYPED_TEST(ErrorTest, an_output_made_of_components_of_an_input)
+{
+    using T = TypeParam;
+    this->for_every_kernel([](const Subject<T> &subject, Operands<T> operands) {
+        const View<T> out = operands.out();
+        for (std::size_t k = 0; k < subject.inputs().size(); ++k) {
+            if (subject.inputs()[k].operand == subject.output()) {
+                operands.out() = operands.input(k);
+                std::swap(operands.out().component[0], operands.out().component[1]);
+                operands.expect(MW_ERROR_OVERLAP, "components 0 and 1 of input " + std::to_string(k) + " exchanged");
+            }
+            for (std::size_t to : {0, 2})
+                for (std::size_t from : {0, 2}) {
+                    operands.out() = out;
+                    operands.out().component[to] = operands.input(k).component[from];
+                    operands.expect(MW_ERROR_OVERLAP, "component " + std::to_string(to) + " is component " +
+                                                          std::to_string(from) + " of input " + std::to_string(k));
+                }
+        }
+    });
+}
+
+// In place of one input is fine, and no excuse for the other.
+TYPED_TEST(ErrorTest, an_output_in_place_of_one_input_that_overlaps_another)
+{
+    using T = TypeParam;
+    const auto subjects = subjects_of_compose_motor_each<T>();
+    for (std::size_t k : {0, 1}) {
+        Operands<T> operands(*subjects.front());
+        operands.out() = operands.input(k);
+        ASSERT_EQ(operands.run(), MW_OK);
+        operands.input(1 - k) = operands.aos(operands.address(operands.input(k)) + operands.stride, 8);
+        operands.expect(MW_ERROR_OVERLAP, "the other input is one element behind");
+    }
+}
+
+// Neighbours that touch, before and behind, share nothing: here the output lies in the gaps of each input.
+TYPED_TEST(ErrorTest, an_output_that_touches_an_input_is_no_overlap)
+{
+    using T = TypeParam;
+    this->for_every_kernel([](const Subject<T> &subject, Operands<T> operands) {
+        const std::size_t components = operands.out().component.size();
+        for (std::size_t k = 0; k < subject.inputs().size(); ++k) {
+            unsigned char *const first = operands.address(operands.input(k));
+            operands.out() = operands.aos(first + operands.input(k).component.size() * sizeof(T), components);
+            EXPECT_EQ(operands.run(), MW_OK) << subject.name();
+            operands.out() = operands.aos(first - components * sizeof(T), components);
+            EXPECT_EQ(operands.run(), MW_OK) << subject.name();
+        }
+    });
+}
+
+TYPED_TEST(ErrorTest, a_count_of_0_takes_null_pointers)
+{
+    using T = TypeParam;
+    using A = Api<T>;
+    const typename A::Xyz no_xyz = A::xyz_aos(nullptr, 0);
+    const typename A::ConstXyz no_const_xyz = A::const_xyz_aos(nullptr, 0);
+    const typename A::Motors no_motors = A::motors_aos(nullptr, 0);
+    const typename A::ConstMotors no_const_motors = A::const_motors_aos(nullptr, 0);
+    const typename A::Weights no_weights = {nullptr, 0};
+    EXPECT_EQ(A::apply_point_one(no_xyz, nullptr, no_const_xyz, 0, MW_DEFAULT), MW_OK);
+    EXPECT_EQ(A::apply_direction_one(no_xyz, nullptr, no_const_xyz, 0, MW_DEFAULT), MW_OK);
+    EXPECT_EQ(A::apply_point_each(no_xyz, no_const_motors, no_const_xyz, 0, MW_DEFAULT), MW_OK);
+    EXPECT_EQ(A::apply_point_each(no_xyz, no_const_motors, no_const_xyz, 0, MW_UNIT_MOTORS), MW_OK);
+    EXPECT_EQ(A::apply_direction_each(no_xyz, no_const_motors, no_const_xyz, 0, MW_DEFAULT), MW_OK);
+    EXPECT_EQ(A::apply_direction_each(no_xyz, no_const_motors, no_const_xyz, 0, MW_UNIT_MOTORS), MW_OK);
+    EXPECT_EQ(A::compose_motor_each(no_motors, no_const_motors, no_const_motors, 0), MW_OK);
+    EXPECT_EQ(A::reverse_motor_each(no_motors, no_const_motors, 0), MW_OK);
+    EXPECT_EQ(A::normalize_motor_each(no_motors, no_const_motors, 0), MW_OK);
+    EXPECT_EQ(A::blend_motor_one(no_motors, nullptr, no_weights, 3, 0), MW_OK);
+    EXPECT_EQ(A::blend_motor_each(no_motors, nullptr, no_weights, 3, 0), MW_OK);
+    EXPECT_EQ(A::check_motors(no_const_motors, 0, nullptr), MW_OK);
+    EXPECT_EQ(A::sample_bspline(no_motors, nullptr, nullptr, 0), MW_OK);
+}
+
+// One motor, points and results in one array of scalars, for what the kernels' subjects keep to themselves.
+template <class T>
+struct OneMotor {
+    static constexpr std::size_t count = 40;
+    using A = Api<T>;
+
+    T numbers[8 + 6 * count];
+    typename A::Motor motor{1, 0, 0, 0, 0, 0, 0, 0};
+
+    OneMotor() { std::fill(std::begin(numbers), std::end(numbers), T(2)); }
+
+    mw_status apply(const typename A::Motor *by, T *out, unsigned flags = MW_DEFAULT)
+    {
+        const typename A::Xyz to = A::xyz_aos(out, sizeof(T[3]));
+        const typename A::ConstXyz from = A::const_xyz_aos(numbers + 8, sizeof(T[3]));
+        const mw_status point = A::apply_point_one(to, by, from, count, flags);
+        const mw_status direction = A::apply_direction_one(to, by, from, count, flags);
+        EXPECT_EQ(point, direction);
+        return point;
+    }
+
+    T *out() { return numbers + 8 + 3 * count; }
+
+    void expect(mw_status status, const typename A::Motor *by, T *to, unsigned flags = MW_DEFAULT)
+    {
+        std::vector<T> before(std::begin(numbers), std::end(numbers));
+        EXPECT_EQ(apply(by, to, flags), status);
+        EXPECT_EQ(std::memcmp(before.data(), numbers, sizeof numbers), 0) << "bytes changed";
+    }
+};
+
+TYPED_TEST(ErrorTest, unknown_flags)
+{
+    using T = TypeParam;
+    using A = Api<T>;
+    OneMotor<T> one;
+    ASSERT_EQ(one.apply(&one.motor, one.out()), MW_OK);
+    for (unsigned flags : {2u, 3u, 1u << 31, ~0u}) {
+        one.expect(MW_ERROR_FLAGS, &one.motor, one.out(), flags);
+        typename A::Motor motors[3] = {one.motor, one.motor, one.motor};
+        const T points[9] = {};
+        T out[9] = {7, 7, 7, 7, 7, 7, 7, 7, 7};
+        for (auto function : {A::apply_point_each, A::apply_direction_each})
+            EXPECT_EQ(function(A::xyz_aos(out, sizeof(T[3])), A::const_motors_aos(motors, sizeof motors[0]),
+                               A::const_xyz_aos(points, sizeof(T[3])), 3, flags),
+                      MW_ERROR_FLAGS);
+        for (T number : out)
+            EXPECT_EQ(number, T(7));
+    }
+}
+
+TYPED_TEST(ErrorTest, one_motor_that_is_null_or_degenerate)
+{
+    using T = TypeParam;
+    using Limits = std::numeric_limits<T>;
+    OneMotor<T> one;
+    one.expect(MW_ERROR_NULL, nullptr, one.out());
+    const T small = std::sqrt(Limits::min()) / 2, large = std::sqrt(Limits::max()) * 2;
+    const typename Api<T>::Motor degenerate[] = {{0, 0, 0, 0, 1, 2, 3, 4},
+                                                 {small, 0, 0, 0, 0, 0, 0, 0},
+                                                 {0, 0, 0, Limits::denorm_min(), 0, 0, 0, 0},
+                                                 {0, large, 0, 0, 0, 0, 0, 0},
+                                                 {Limits::infinity(), 0, 0, 0, 0, 0, 0, 0},
+                                                 {1, 0, Limits::quiet_NaN(), 0, 0, 0, 0, 0}};
+    for (const auto &motor : degenerate)
+        one.expect(MW_ERROR_DEGENERATE_MOTOR, &motor, one.out());
+}
+
+TYPED_TEST(ErrorTest, an_output_over_the_one_motor)
+{
+    using T = TypeParam;
+    OneMotor<T> one;
+    const auto *motor = reinterpret_cast<const typename Api<T>::Motor *>(one.numbers);
+    ASSERT_EQ(one.apply(motor, one.out()), MW_OK);
+    // The motor lies in front of the points; now over the first results, over the last, inside.
+    for (std::size_t at : {std::size_t(0), std::size_t(7), 3 * one.count - 1, 3 * one.count - 8})
+        one.expect(MW_ERROR_OVERLAP, reinterpret_cast<const typename Api<T>::Motor *>(one.out() + at), one.out());
+}
+
+TYPED_TEST(ErrorTest, an_axis_of_length_zero_or_not_finite)
+{
+    using T = TypeParam;
+    using A = Api<T>;
+    using Limits = std::numeric_limits<T>;
+    const T nan = Limits::quiet_NaN(), infinity = Limits::infinity();
+    const T good[3] = {0, 0, 1};
+    const auto expect_error = [](mw_status status, const T *axis, T angle, const T *point) {
+        typename A::Motor motor{7, 7, 7, 7, 7, 7, 7, 7};
+        EXPECT_EQ(A::rotation(&motor, axis, angle, point), status);
+        for (std::size_t c = 0; c < 8; ++c)
+            EXPECT_EQ((&motor.s)[c], T(7));
+    };
+    const T zero[3] = {0, -T(0), 0};
+    expect_error(MW_ERROR_AXIS, zero, 1, nullptr);
+    for (T bad : {nan, infinity, -infinity})
+        for (std::size_t k = 0; k < 3; ++k) {
+            T spoilt[3] = {1, 2, 3};
+            spoilt[k] = bad;
+            expect_error(MW_ERROR_AXIS, spoilt, 1, nullptr);
+            expect_error(MW_ERROR_AXIS, good, 1, spoilt);
+            expect_error(MW_ERROR_AXIS, good, bad, nullptr);
+        }
+    expect_error(MW_ERROR_NULL, nullptr, 1, good);
+    EXPECT_EQ(A::rotation(nullptr, good, T(1), nullptr), MW_ERROR_NULL);
+    typename A::Motor motor;
+    EXPECT_EQ(A::translation(nullptr, good), MW_ERROR_NULL);
+    EXPECT_EQ(A::translation(&motor, nullptr), MW_ERROR_NULL);
+}
+
+TYPED_TEST(ErrorTest, checking_motors_in_a_view_that_is_wrong)
+{
+    using T = TypeParam;
+    using A = Api<T>;
+    const typename A::Motor motors[2] = {{1, 0, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 0, 0, 0, 0}};
+    const std::size_t size = sizeof motors[0], most = std::numeric_limits<std::size_t>::max();
+    EXPECT_EQ(A::check_motors(A::const_motors_aos(nullptr, size), 2, nullptr), MW_ERROR_NULL);
+    EXPECT_EQ(A::check_motors(A::const_motors_aos(motors, size - 1), 2, nullptr), MW_ERROR_STRIDE);
+    EXPECT_EQ(A::check_motors(A::const_motors_aos(motors, 0), 2, nullptr), MW_ERROR_STRIDE);
+    EXPECT_EQ(A::check_motors(A::const_motors_aos(motors, size), most / 2, nullptr), MW_ERROR_SIZE);
+}
+
+// Both blends of two terms, one element, everything in arrays of scalars.
+template <class T>
+struct Blend {
+    using A = Api<T>;
+    T controls[16] = {1, 0, 0, 0, 5, 6, 7, 8, 1, 0, 0, 0, 1, 2, 3, 4};
+    T weights[2] = {1, 1};
+    T out[8] = {7, 7, 7, 7, 7, 7, 7, 7};
+    const T *terms[2] = {&weights[0], &weights[1]};
+    const typename A::Motor *control(std::size_t k) const
+    {
+        return reinterpret_cast<const typename A::Motor *>(controls + 8 * k);
+    }
+    typename A::ConstMotors views[2] = {A::const_motors_aos(control(0), sizeof(T[8])),
+                                        A::const_motors_aos(control(1), sizeof(T[8]))};
+
+    void expect(mw_status status, const typename A::Motor *one, const typename A::ConstMotors *each,
+                const T *const *term_pointers, std::size_t term_count = 2)
+    {
+        const typename A::Weights view = {term_pointers, sizeof(T)};
+        const auto to = A::motors_aos(reinterpret_cast<typename A::Motor *>(out), sizeof out);
+        EXPECT_EQ(A::blend_motor_one(to, one, view, term_count, 1), status);
+        EXPECT_EQ(A::blend_motor_each(to, each, view, term_count, 1), status);
+        for (T number : out)
+            EXPECT_EQ(number, T(7));
+    }
+};
+
+TYPED_TEST(ErrorTest, a_blend_without_its_controls_or_weights)
+{
+    using T = TypeParam;
+    Blend<T> blend;
+    blend.expect(MW_ERROR_NULL, nullptr, nullptr, blend.terms);
+    blend.expect(MW_ERROR_NULL, blend.control(0), blend.views, nullptr);
+    for (std::size_t k : {0, 1}) {
+        const T *terms[2] = {blend.terms[0], blend.terms[1]};
+        terms[k] = nullptr;
+        blend.expect(MW_ERROR_NULL, blend.control(0), blend.views, terms);
+    }
+    // Without terms nothing of the kind is needed.
+    typename Api<T>::Motor sum{7, 7, 7, 7, 7, 7, 7, 7};
+    const auto out = Api<T>::motors_aos(&sum, sizeof sum);
+    EXPECT_EQ(Api<T>::blend_motor_one(out, nullptr, {nullptr, 0}, 0, 1), MW_OK);
+    EXPECT_EQ(sum.s, T(0));
+    sum.s = 7;
+    EXPECT_EQ(Api<T>::blend_motor_each(out, nullptr, {nullptr, 0}, 0, 1), MW_OK);
+    EXPECT_EQ(sum.s, T(0));
+}
+
+TYPED_TEST(ErrorTest, an_output_over_the_controls_of_a_blend)
+{
+    using T = TypeParam;
+    using A = Api<T>;
+    Blend<T> blend;
+    const Blend<T> before = blend;
+    for (std::size_t at : {0, 1, 7, 8}) {
+        const auto out = A::motors_aos(reinterpret_cast<typename A::Motor *>(blend.controls + at), sizeof(T[8]));
+        EXPECT_EQ(A::blend_motor_one(out, blend.control(0), {blend.terms, sizeof(T)}, 2, 1), MW_ERROR_OVERLAP);
+        EXPECT_EQ(std::memcmp(blend.controls, before.controls, sizeof blend.controls), 0);
+    }
+}
+
+TYPED_TEST(ErrorTest, more_controls_than_the_address_space_holds)
+{
+    using T = TypeParam;
+    using A = Api<T>;
+    Blend<T> blend;
+    const auto out = A::motors_aos(reinterpret_cast<typename A::Motor *>(blend.out), sizeof blend.out);
+    const std::size_t most = std::numeric_limits<std::size_t>::max();
+    for (std::size_t terms : {most, most / sizeof(T[8]) + 2, most / 4})
+        EXPECT_EQ(A::blend_motor_one(out, blend.control(0), {blend.terms, sizeof(T)}, terms, 1), MW_ERROR_SIZE);
+}
+
+TYPED_TEST(ErrorTest, more_separate_controls_than_a_blend_takes)
+{
+    using T = TypeParam;
+    using A = Api<T>;
+    Blend<T> blend;
+    std::vector<const T *> terms(MW_MAX_TERMS + 1, &blend.weights[0]);
+    std::vector<typename A::ConstMotors> controls(terms.size(), blend.views[0]);
+    const auto out = A::motors_aos(reinterpret_cast<typename A::Motor *>(blend.out), sizeof blend.out);
+    for (std::size_t count : {std::size_t(MW_MAX_TERMS) + 1, std::numeric_limits<std::size_t>::max()})
+        EXPECT_EQ(A::blend_motor_each(out, controls.data(), {terms.data(), sizeof(T)}, count, 1),
+                  MW_ERROR_TERM_COUNT);
+    for (T number : blend.out)
+        EXPECT_EQ(number, T(7));
+    // The most it takes; a blend of controls that all elements share takes more.
+    EXPECT_EQ(A::blend_motor_each(out, controls.data(), {terms.data(), sizeof(T)}, MW_MAX_TERMS, 1), MW_OK);
+    EXPECT_EQ(blend.out[0], T(MW_MAX_TERMS));
+    std::vector<T> many(8 * terms.size(), T(1));
+    EXPECT_EQ(A::blend_motor_one(out, reinterpret_cast<const typename A::Motor *>(many.data()),
+                                 {terms.data(), sizeof(T)}, terms.size(), 1),
+              MW_OK);
+    EXPECT_EQ(blend.out[0], T(MW_MAX_TERMS + 1));
+}
+
+// A motion of degree 2 like the one of the paper's figure 5, to be spoilt.
+template <class T>
+struct Spoilt {
+    using A = Api<T>;
+    std::vector<T> numbers;  // controls, knots, parameters, results
+    std::size_t controls = 6, knots = 7;
+    unsigned degree = 2;
+    static constexpr std::size_t parameters = 50;
+
+    Spoilt() : numbers(8 * 6 + 7 + parameters + 8 * parameters, T(7))
+    {
+        for (std::size_t k = 0; k < controls; ++k) {
+            const T control[8] = {1, 0, 0, 0, T(k), 0, 0, 0};
+            std::copy_n(control, 8, &numbers[8 * k]);
+        }
+        const T values[] = {0, 0, 1, 2, 3, 4, 4};
+        std::copy_n(values, 7, knot(0));
+        for (std::size_t k = 0; k < parameters; ++k)
+            *parameter(k) = static_cast<T>(4 * k) / (parameters - 1);
+    }
+
+    T *control(std::size_t k) { return &numbers[8 * k]; }
+    T *knot(std::size_t k) { return &numbers[8 * 6 + k]; }
+    T *parameter(std::size_t k) { return &numbers[8 * 6 + 7 + k]; }
+    T *out() { return &numbers[8 * 6 + 7 + parameters]; }
+
+    typename A::Bspline view()
+    {
+        return {reinterpret_cast<const typename A::Motor *>(control(0)), controls, knot(0), knots, degree};
+    }
+
+    typename A::Motors aos(T *first)
+    {
+        return A::motors_aos(reinterpret_cast<typename A::Motor *>(first), sizeof(T[8]));
+    }
+
+    void expect_sample(mw_status status, const typename A::Motors &to, const T *from, std::size_t count = parameters)
+    {
+        const std::vector<T> before = numbers;
+        const auto motion = view();
+        EXPECT_EQ(A::sample_bspline(to, &motion, from, count), status);
+        EXPECT_EQ(std::memcmp(before.data(), numbers.data(), numbers.size() * sizeof(T)), 0) << "bytes changed";
+    }
+
+    void expect(mw_status status, std::size_t where)
+    {
+        const auto motion = view();
+        std::size_t got = 1234;
+        EXPECT_EQ(A::check_bspline(&motion, &got), status);
+        EXPECT_EQ(got, where);
+        EXPECT_EQ(A::check_bspline(&motion, nullptr), status);
+        expect_sample(status, aos(out()), parameter(0));
+    }
+};
+
+TYPED_TEST(ErrorTest, a_motion_of_a_wrong_degree_or_size)
+{
+    using T = TypeParam;
+    Spoilt<T> sound;
+    const auto motion = sound.view();
+    ASSERT_EQ(Api<T>::check_bspline(&motion, nullptr), MW_OK);
+    ASSERT_EQ(Api<T>::sample_bspline(sound.aos(sound.out()), &motion, sound.parameter(0), sound.parameters), MW_OK);
+    for (unsigned degree : {0u, unsigned(MW_MAX_DEGREE) + 1, std::numeric_limits<unsigned>::max()}) {
+        Spoilt<T> spoilt;
+        spoilt.degree = degree;
+        spoilt.expect(MW_ERROR_DEGREE, 0);
+    }
+    for (std::size_t controls : {0, 1, 2}) {
+        Spoilt<T> spoilt;
+        spoilt.controls = controls;
+        spoilt.knots = controls + 1;
+        spoilt.expect(MW_ERROR_CONTROL_COUNT, 0);
+    }
+    for (std::size_t knots : {std::size_t(0), std::size_t(6), std::size_t(8), std::size_t(9),
+                              std::numeric_limits<std::size_t>::max()}) {
+        Spoilt<T> spoilt;
+        spoilt.knots = knots;
+        spoilt.expect(MW_ERROR_KNOT_COUNT, 0);
+    }
+}
+
+TYPED_TEST(ErrorTest, knots_that_decrease_are_not_finite_or_repeat_too_often)
+{
+    using T = TypeParam;
+    using Limits = std::numeric_limits<T>;
+    for (std::size_t k = 0; k < 7; ++k)
+        for (T bad : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity()}) {
+            Spoilt<T> spoilt;
+            *spoilt.knot(k) = bad;
+            // Infinity between finite knots is the one to blame, whatever comes behind it.
+            spoilt.expect(MW_ERROR_KNOTS, k);
+        }
+    for (std::size_t k = 1; k < 7; ++k) {
+        Spoilt<T> spoilt;
+        *spoilt.knot(k) = *spoilt.knot(k - 1) - 1;
+        spoilt.expect(MW_ERROR_KNOTS, k);
+    }
+    Spoilt<T> repeated;
+    for (std::size_t k : {2, 3, 4, 5})
+        *repeated.knot(k) = 1;
+    repeated.expect(MW_ERROR_KNOTS, 5);
+    Spoilt<T> thrice;
+    for (std::size_t k : {2, 3, 4})
+        *thrice.knot(k) = 1;
+    const auto motion = thrice.view();
+    EXPECT_EQ(Api<T>::check_bspline(&motion, nullptr), MW_OK);
+}
+
+TYPED_TEST(ErrorTest, a_domain_of_length_zero)
+{
+    using T = TypeParam;
+    Spoilt<T> spoilt;
+    spoilt.controls = 3;
+    spoilt.knots = 4;
+    *spoilt.knot(2) = 0;
+    const auto motion = spoilt.view();
+    EXPECT_EQ(Api<T>::check_bspline(&motion, nullptr), MW_ERROR_KNOTS);
+    *spoilt.parameter(0) = 0;
+    spoilt.expect_sample(MW_ERROR_KNOTS, spoilt.aos(spoilt.out()), spoilt.parameter(0), 1);
+}
+
+TYPED_TEST(ErrorTest, a_degenerate_control)
+{
+    using T = TypeParam;
+    using Limits = std::numeric_limits<T>;
+    for (std::size_t k = 0; k < 6; ++k)
+        for (T bad : {T(0), std::sqrt(Limits::min()) / 2, std::sqrt(Limits::max()) * 2, Limits::quiet_NaN()}) {
+            Spoilt<T> spoilt;
+            *spoilt.control(k) = bad;
+            spoilt.expect(MW_ERROR_DEGENERATE_MOTOR, k);
+        }
+}
+
+// The last of many, so that nothing may be written before all are known to be good.
+TYPED_TEST(ErrorTest, a_parameter_outside_the_domain)
+{
+    using T = TypeParam;
+    using Limits = std::numeric_limits<T>;
+    for (T bad : {std::nextafter(T(4), T(5)), -Limits::denorm_min(), Limits::quiet_NaN(), Limits::infinity(), T(-1)})
+        for (std::size_t k : {std::size_t(0), std::size_t(20), Spoilt<T>::parameters - 1}) {
+            Spoilt<T> spoilt;
+            *spoilt.parameter(k) = bad;
+            spoilt.expect_sample(MW_ERROR_PARAMETER, spoilt.aos(spoilt.out()), spoilt.parameter(0));
+        }
+}
+
+TYPED_TEST(ErrorTest, null_pointers_in_a_motion)
+{
+    using T = TypeParam;
+    using A = Api<T>;
+    Spoilt<T> spoilt;
+    const auto out = spoilt.aos(spoilt.out());
+    const std::vector<T> before = spoilt.numbers;
+    EXPECT_EQ(A::check_bspline(nullptr, nullptr), MW_ERROR_NULL);
+    EXPECT_EQ(A::sample_bspline(out, nullptr, spoilt.parameter(0), 3), MW_ERROR_NULL);
+    auto motion = spoilt.view();
+    motion.controls = nullptr;
+    EXPECT_EQ(A::check_bspline(&motion, nullptr), MW_ERROR_NULL);
+    EXPECT_EQ(A::sample_bspline(out, &motion, spoilt.parameter(0), 3), MW_ERROR_NULL);
+    motion = spoilt.view();
+    motion.knots = nullptr;
+    EXPECT_EQ(A::check_bspline(&motion, nullptr), MW_ERROR_NULL);
+    EXPECT_EQ(A::sample_bspline(out, &motion, spoilt.parameter(0), 3), MW_ERROR_NULL);
+    motion = spoilt.view();
+    EXPECT_EQ(A::sample_bspline(out, &motion, nullptr, 3), MW_ERROR_NULL);
+    EXPECT_EQ(A::sample_bspline(spoilt.aos(nullptr), &motion, spoilt.parameter(0), 3), MW_ERROR_NULL);
+    EXPECT_TRUE(before == spoilt.numbers);
+}
+
+TYPED_TEST(ErrorTest, samples_of_a_wrong_stride_or_size)
+{
+    using T = TypeParam;
+    Spoilt<T> spoilt;
+    auto out = spoilt.aos(spoilt.out());
+    const std::size_t most = std::numeric_limits<std::size_t>::max();
+    for (std::size_t stride : {sizeof(T[8]) - 1, sizeof(T), std::size_t(0)}) {
+        out.stride = stride;
+        spoilt.expect_sample(MW_ERROR_STRIDE, out, spoilt.parameter(0));
+    }
+    out.stride = sizeof(T[8]);
+    spoilt.expect_sample(MW_ERROR_SIZE, out, spoilt.parameter(0), most);
+    spoilt.expect_sample(MW_ERROR_SIZE, out, spoilt.parameter(0), most / sizeof(T[8]));
+}
+
+TYPED_TEST(ErrorTest, samples_over_the_motion_or_its_parameters)
+{
+    using T = TypeParam;
+    Spoilt<T> spoilt;
+    // The first sample over the last number of each, and the last sample over the first.
+    const std::size_t count = 4;
+    T *const starts[] = {spoilt.control(5) + 7, spoilt.knot(6), spoilt.parameter(count - 1), spoilt.control(0),
+                         spoilt.knot(0) - 8 * (count - 1), spoilt.parameter(0) - 8 * (count - 1)};
+    for (T *start : starts)
+        spoilt.expect_sample(MW_ERROR_OVERLAP, spoilt.aos(start), spoilt.parameter(0), count);
+}
+
+}  // namespace
+}  // namespace motorway::testing

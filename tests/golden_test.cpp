@@ -1,0 +1,206 @@
+// Exact results from the generator's rational arithmetic, on every instruction set. Reference and kernels come from
+// the same paper but not from the same code; these vectors say what the generator itself takes the formulas for.
+
+#include <array>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "isas.h"
+#include "kernel_list.h"
+#include "kernel_tester.h"
+#include "precisions.h"
+
+namespace motorway::testing {
+namespace {
+
+struct Golden {
+    std::vector<double> inputs;                    // exact in float
+    std::vector<std::array<double, 2>> outputs;    // numerator and denominator
+};
+
+const std::vector<Golden> golden_apply_point = {
+#include "../generated/golden/apply_point.inc"
+};
+const std::vector<Golden> golden_apply_direction = {
+#include "../generated/golden/apply_direction.inc"
+};
+const std::vector<Golden> golden_compose_motor = {
+#include "../generated/golden/compose_motor.inc"
+};
+const std::vector<Golden> golden_reverse_motor = {
+#include "../generated/golden/reverse_motor.inc"
+};
+const std::vector<Golden> golden_normalize_motor = {
+#include "../generated/golden/normalize_motor.inc"
+};
+// One term of a blend: the sum so far, a weight, a control.
+const std::vector<Golden> golden_blend_motor = {
+#include "../generated/golden/blend_motor.inc"
+};
+
+// Every row of the kernel list needs its vectors, or this does not compile.
+const std::vector<const std::vector<Golden> *> golden_of_every_row = {
+#define MOTORWAY_KERNEL(verb, operand, pairing, ...) &golden_##verb##_##operand,
+#include "../generated/kernel_list.inc"
+};
+
+template <class T>
+using Result = std::array<T, 8>;
+
+template <class T>
+std::vector<T> components(const Golden &golden)
+{
+    return {golden.inputs.begin(), golden.inputs.end()};
+}
+
+template <class T>
+const typename Api<T>::Motor *motor_at(const T *components)
+{
+    return reinterpret_cast<const typename Api<T>::Motor *>(components);
+}
+
+template <class T>
+View<T> view_at(T *components, std::size_t count)
+{
+    View<T> view;
+    for (std::size_t k = 0; k < count; ++k)
+        view.component.push_back(components + k);
+    view.stride = count * sizeof(T);
+    return view;
+}
+
+// The magnitudes of these inputs are at most about 10 and α is at least 1, so no term exceeds some thousands; results
+// that are no rounding away from exact pass as well.
+template <class T>
+void expect_golden(const std::vector<Golden> &vectors, mw_status (*run)(std::vector<T> &, Result<T> &))
+{
+    ASSERT_GE(vectors.size(), 8u);
+    for (const Golden &golden : vectors) {
+        std::vector<T> inputs = components<T>(golden);
+        for (std::size_t k = 0; k < inputs.size(); ++k)
+            ASSERT_EQ(static_cast<double>(inputs[k]), golden.inputs[k]) << "input " << k << " is not exact";
+        Result<T> result{};
+        ASSERT_EQ(run(inputs, result), MW_OK);
+        long double largest = 1;
+        for (double input : golden.inputs)
+            largest = std::max(largest, std::abs(static_cast<long double>(input)));
+        for (std::size_t k = 0; k < golden.outputs.size(); ++k) {
+            const auto [numerator, denominator] = golden.outputs[k];
+            const long double exact = static_cast<long double>(numerator) / denominator;
+            EXPECT_NEAR(static_cast<double>(result[k]), static_cast<double>(exact),
+                        static_cast<double>(8 * epsilon<T> * largest * largest))
+                << "component " << k << " of vector " << &golden - vectors.data();
+        }
+    }
+}
+
+template <class T>
+class GoldenTest : public ::testing::Test {
+protected:
+    // Runs a test once on each instruction set that can run.
+    template <class Body>
+    void on_every_isa(Body body)
+    {
+        for (const std::string &isa : running_isas()) {
+            SCOPED_TRACE(isa);
+            ScopedIsa scope(isa);
+            body();
+        }
+    }
+};
+
+TYPED_TEST_SUITE(GoldenTest, Precisions, PrecisionName);
+
+TYPED_TEST(GoldenTest, apply_point)
+{
+    using T = TypeParam;
+    this->on_every_isa([] {
+        expect_golden<T>(golden_apply_point, [](std::vector<T> &in, Result<T> &out) {
+            return Api<T>::apply_point_one(view_at(out.data(), 3).xyz(), motor_at(in.data()),
+                                           view_at(&in[8], 3).const_xyz(), 1, MW_DEFAULT);
+        });
+        expect_golden<T>(golden_apply_point, [](std::vector<T> &in, Result<T> &out) {
+            return Api<T>::apply_point_each(view_at(out.data(), 3).xyz(), view_at(in.data(), 8).const_motors(),
+                                            view_at(&in[8], 3).const_xyz(), 1, MW_DEFAULT);
+        });
+    });
+}
+
+TYPED_TEST(GoldenTest, apply_direction)
+{
+    using T = TypeParam;
+    this->on_every_isa([] {
+        expect_golden<T>(golden_apply_direction, [](std::vector<T> &in, Result<T> &out) {
+            return Api<T>::apply_direction_one(view_at(out.data(), 3).xyz(), motor_at(in.data()),
+                                               view_at(&in[8], 3).const_xyz(), 1, MW_DEFAULT);
+        });
+        expect_golden<T>(golden_apply_direction, [](std::vector<T> &in, Result<T> &out) {
+            return Api<T>::apply_direction_each(view_at(out.data(), 3).xyz(), view_at(in.data(), 8).const_motors(),
+                                                view_at(&in[8], 3).const_xyz(), 1, MW_DEFAULT);
+        });
+    });
+}
+
+TYPED_TEST(GoldenTest, compose_motor)
+{
+    using T = TypeParam;
+    this->on_every_isa([] {
+        expect_golden<T>(golden_compose_motor, [](std::vector<T> &in, Result<T> &out) {
+            return Api<T>::compose_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
+                                              view_at(&in[8], 8).const_motors(), 1);
+        });
+    });
+}
+
+TYPED_TEST(GoldenTest, reverse_motor)
+{
+    using T = TypeParam;
+    this->on_every_isa([] {
+        expect_golden<T>(golden_reverse_motor, [](std::vector<T> &in, Result<T> &out) {
+            return Api<T>::reverse_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
+                                              1);
+        });
+    });
+}
+
+TYPED_TEST(GoldenTest, normalize_motor)
+{
+    using T = TypeParam;
+    this->on_every_isa([] {
+        expect_golden<T>(golden_normalize_motor, [](std::vector<T> &in, Result<T> &out) {
+            return Api<T>::normalize_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
+                                                1);
+        });
+    });
+}
+
+TYPED_TEST(GoldenTest, blend_motor)
+{
+    using T = TypeParam;
+    this->on_every_isa([] {
+        expect_golden<T>(golden_blend_motor, [](std::vector<T> &in, Result<T> &out) {
+            T weights[2] = {1, in[8]}, controls[16];
+            std::copy_n(in.begin(), 8, controls);
+            std::copy_n(in.begin() + 9, 8, controls + 8);
+            return Api<T>::blend_motor_one(view_at(out.data(), 8).motors(), motor_at(controls),
+                                           view_at(weights, 2).weights(), 2, 1);
+        });
+        expect_golden<T>(golden_blend_motor, [](std::vector<T> &in, Result<T> &out) {
+            T weights[2] = {1, in[8]};
+            const typename Api<T>::ConstMotors controls[] = {view_at(in.data(), 8).const_motors(),
+                                                             view_at(&in[9], 8).const_motors()};
+            return Api<T>::blend_motor_each(view_at(out.data(), 8).motors(), controls,
+                                            view_at(weights, 2).weights(), 2, 1);
+        });
+    });
+}
+
+TEST(Golden, every_kernel_has_vectors)
+{
+    for (const auto *vectors : golden_of_every_row)
+        EXPECT_FALSE(vectors->empty());
+}
+
+}  // namespace
+}  // namespace motorway::testing

@@ -1,0 +1,83 @@
+# cmake -Dnm=NM -Disas=avx2;scalar -Dobjects_avx2=a.o -Dobjects_scalar=b.o -P isa_symbols.cmake
+#
+# Each instruction set is compiled with flags of its own. If two of them defined the same symbol, or one defined a
+# symbol of the standard library, the linker would keep one copy for all: perhaps one with instructions that the CPU
+# lacks. So an object may define nothing for others but its one table, motorway::kernels_<isa>, run nothing before
+# main, and call nothing but the C library's memory functions.
+
+cmake_minimum_required(VERSION 3.16)
+set(failures "")
+
+# What compilers call on their own: for copies, for stack protection, for position-independent code.
+set(allowed_undefined "^(memcpy|memmove|memset|__stack_chk_fail|_GLOBAL_OFFSET_TABLE_|__gcov_.*|__llvm_.*)$")
+
+foreach(isa IN LISTS isas)
+  if(NOT objects_${isa})
+    list(APPEND failures "${isa}: no objects were given")
+  endif()
+  set(globals_${isa} "")
+  set(all_${isa} "")
+  foreach(object IN LISTS objects_${isa})
+    execute_process(COMMAND ${nm} -P ${object} OUTPUT_VARIABLE output RESULT_VARIABLE failed)
+    if(failed)
+      message(FATAL_ERROR "${nm} cannot read ${object}")
+    endif()
+    string(REPLACE ";" "" output "${output}")
+    string(REPLACE "\n" ";" lines "${output}")
+    foreach(line IN LISTS lines)
+      if(NOT line MATCHES "^([^ ]+) ([A-Za-z?])")
+        continue()
+      endif()
+      set(name "${CMAKE_MATCH_1}")
+      set(type "${CMAKE_MATCH_2}")
+      if(type STREQUAL "U")
+        if(NOT name MATCHES "${allowed_undefined}")
+          list(APPEND failures "${isa}: needs ${name}, which is compiled elsewhere")
+        endif()
+        continue()
+      endif()
+      if(type MATCHES "[WVuwv]")
+        list(APPEND failures "${isa}: ${name} is weak or unique, so the linker may merge it with another")
+      elseif(type MATCHES "[A-Z]")
+        list(APPEND globals_${isa} "${name}")
+      endif()
+      if(name MATCHES "_GLOBAL__sub_I|__cxx_global_var_init")
+        list(APPEND failures "${isa}: ${name} runs before main")
+      endif()
+      list(APPEND all_${isa} "${name}")
+    endforeach()
+    # Constructors are listed in a section, whatever they are called.
+    file(STRINGS ${object} sections REGEX "\\.(init_array|ctors)")
+    if(sections)
+      list(APPEND failures "${isa}: ${object} has code that runs before main")
+    endif()
+  endforeach()
+  if(NOT globals_${isa} MATCHES "^[^;]*kernels_${isa}[^;]*$")
+    list(APPEND failures "${isa}: defines '${globals_${isa}}' for others, and not just its table kernels_${isa}")
+  endif()
+endforeach()
+
+# Local symbols as well: a name of a function that is local in all units today is one `static` away from being shared.
+foreach(isa IN LISTS isas)
+  foreach(other IN LISTS isas)
+    if(NOT isa STRLESS other)
+      continue()
+    endif()
+    foreach(name IN LISTS all_${isa})
+      # Labels of constants, sections and the file's name are local by nature.
+      if(name IN_LIST all_${other} AND NOT name MATCHES "^(\\.|\\$)|\\.cpp$")
+        list(APPEND failures "${isa} and ${other}: both define ${name}")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+
+if(failures)
+  list(REMOVE_DUPLICATES failures)
+  list(JOIN failures "\n  " text)
+  message(FATAL_ERROR "Objects of instruction sets are not separate:\n  ${text}")
+endif()
+foreach(isa IN LISTS isas)
+  list(LENGTH all_${isa} count)
+  message(STATUS "${isa}: ${count} symbols, of which others see ${globals_${isa}}")
+endforeach()

@@ -1,0 +1,241 @@
+// The reference itself: the algebra against the paper's rules, the motions against matrices, the B-spline against the
+// definition of its basis functions.
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "motors.h"
+#include "reference.h"
+
+namespace motorway::reference {
+namespace {
+
+using testing::Random;
+using testing::Regime;
+
+constexpr long double tiny = 1e-28L;  // far above the errors of Extended, far below those of double
+
+long double distance(const Real &a, const Real &b) { return std::abs(static_cast<long double>(a - b)); }
+
+void expect_equal(const Element &a, const Element &b)
+{
+    for (unsigned bits = 0; bits < 32; ++bits)
+        ASSERT_LE(distance(a[bits], b[bits]), tiny) << "component " << bits;
+}
+
+template <std::size_t N>
+void expect_close(const std::array<Real, N> &a, const std::array<Real, N> &b, long double tolerance)
+{
+    for (std::size_t k = 0; k < N; ++k)
+        ASSERT_LE(distance(a[k], b[k]), tolerance) << "component " << k;
+}
+
+Element random_element(Random &random)
+{
+    Element a;
+    for (unsigned bits = 0; bits < 32; ++bits)
+        a[bits] = Real(random.uniform(-1, 1));
+    return a;
+}
+
+TEST(Extended, keeps_what_long_double_drops)
+{
+    const Real small(0x1p-100L), sum = Real(1) + small;
+    EXPECT_EQ(sum - Real(1), small);
+    EXPECT_EQ(sum * sum - Real(1), small + small);
+    const Real third = Real(1) / Real(3);
+    EXPECT_LE(distance(third * Real(3), Real(1)), 0x1p-105L);
+    const Real root = sqrt(Real(2));
+    EXPECT_LE(distance(root * root, Real(2)), 0x1p-104L);
+    EXPECT_NE(third.low, 0);
+    EXPECT_NE(root.low, 0);
+}
+
+TEST(Reference, orthonormal_vectors_square_to_their_signature)
+{
+    for (unsigned k = 0; k < 5; ++k) {
+        const Element v = Element::blade(1u << k);
+        expect_equal(v * v, Element(Real(k == 4 ? -1 : 1)));
+        for (unsigned other = 0; other < k; ++other)
+            expect_equal(v * Element::blade(1u << other), Element(Real(-1)) * (Element::blade(1u << other) * v));
+    }
+}
+
+// Section 2 of the paper.
+TEST(Reference, obeys_the_rules_of_the_papers_basis)
+{
+    for (const char *k : {"1", "2", "3"}) {
+        expect_equal(e(k) * e(k), Element(Real(1)));
+        for (const char *null : {"0", "i"})
+            expect_equal(e(k) * e(null), Element(Real(-1)) * e(null) * e(k));
+    }
+    expect_equal(e("0") * e("0"), Element());
+    expect_equal(e("i") * e("i"), Element());
+    expect_equal(e("i") * e("0"), Element(Real(-2)) - e("0") * e("i"));
+    expect_equal(reverse(e("0i")), Element(Real(-2)) - e("0i"));  // equation (2)
+    expect_equal(e("123i") * e("123i"), Element());               // ω² = 0
+}
+
+TEST(Reference, product_is_associative_and_its_reverse_the_product_of_reverses)
+{
+    Random random(11);
+    for (int k = 0; k < 20; ++k) {
+        const Element a = random_element(random), b = random_element(random), c = random_element(random);
+        expect_equal((a * b) * c, a * (b * c));
+        expect_equal(reverse(a * b), reverse(b) * reverse(a));
+    }
+}
+
+TEST(Reference, coordinates_in_the_papers_basis_give_the_element_back)
+{
+    Random random(12);
+    const Element a = random_element(random);
+    Element sum;
+    for (unsigned sigma = 0; sigma < 32; ++sigma) {
+        std::string name;
+        for (unsigned k = 0; k < 5; ++k)
+            if (sigma & (1u << k))
+                name += "0123i"[k];
+        EXPECT_EQ(coordinate(e(name.c_str()), name.c_str()), Real(1)) << name;
+        sum = sum + Element(coordinate(a, name.c_str())) * e(name.c_str());
+    }
+    expect_equal(sum, a);
+}
+
+// e_{01∞} is of grades 1 and 3 in the usual sense; the paper's P takes nothing of it.
+TEST(Reference, projection_is_along_the_papers_basis)
+{
+    expect_equal(project(e("01i")), Element());
+    expect_equal(project(e("0123i")), Element());
+    expect_equal(project(e("i") + e("123")), Element());
+    expect_equal(project(e("0") + e("2")), e("0") + e("2"));
+    EXPECT_NE(e("01i")[1], Real(0));
+}
+
+TEST(Reference, motors_are_closed_under_the_product)
+{
+    Random random(13);
+    for (int k = 0; k < 20; ++k) {
+        const Motor a = exact_random_motor(random, Regime::arbitrary), b = exact_random_motor(random, Regime::far);
+        EXPECT_LE(static_cast<long double>(outside_of_motors(element(a) * element(b))), 1e-20L);
+        expect_close(motor(element(a)), a, tiny);
+    }
+}
+
+TEST(Reference, rotation_and_translation_are_those_of_lemmas_3_10_and_3_11)
+{
+    const Vector3 p = {Real(1), Real(2), Real(3)};
+    const Vector3 moved = apply_point(motor(translation({Real(10), Real(-20), Real(30)})), p);
+    expect_close<3>(moved, {Real(11), Real(-18), Real(33)}, tiny);
+    // A quarter turn about the line through (1, 0, 0) along e3: (2, 0, 5) goes to (1, 1, 5), and e1 to e2.
+    const Real half = sqrt(Real(0.5L));
+    const Motor turn = motor(rotation({Real(0), Real(0), Real(1)}, half, half, {Real(1), Real(0), Real(0)}));
+    expect_close<3>(apply_point(turn, {Real(2), Real(0), Real(5)}), {Real(1), Real(1), Real(5)}, tiny);
+    expect_close<3>(apply_direction(turn, {Real(1), Real(0), Real(0)}), {Real(0), Real(1), Real(0)}, tiny);
+}
+
+TEST(Reference, the_first_factor_acts_first)
+{
+    Random random(14);
+    for (int k = 0; k < 50; ++k) {
+        const Motor u = exact_random_motor(random, Regime::general);
+        const Motor v = exact_random_motor(random, Regime::arbitrary);
+        const Vector3 p = testing::random_vector(random, 0.1, 10);
+        expect_close(apply_point(compose(u, v), p), apply_point(v, apply_point(u, p)), 1e-25L);
+    }
+}
+
+// Lemma 3.4 and corollary 3.7.
+TEST(Reference, normalised_motors_move_alike_and_have_no_pseudoscalar_part)
+{
+    Random random(15);
+    for (int k = 0; k < 50; ++k) {
+        const Motor s = exact_random_motor(random, Regime::scaled_pseudoscalar), unit = normalize(s);
+        expect_equal(reverse(element(unit)) * element(unit), Element(Real(1)));
+        const Vector3 p = testing::random_vector(random, 0.1, 10);
+        expect_close(apply_point(s, p), apply_point(unit, p), 1e-25L);
+        EXPECT_EQ(s[0] < Real(0), unit[0] < Real(0));
+    }
+}
+
+TEST(Reference, dividing_by_the_scalar_alone_leaves_the_pseudoscalar_part)
+{
+    Motor s{};
+    s[0] = Real(2);
+    s[7] = Real(3);
+    EXPECT_EQ(beta(s), Real(12));
+    expect_close<8>(normalize(s), {Real(1), Real(0), Real(0), Real(0), Real(0), Real(0), Real(0), Real(0)}, tiny);
+}
+
+TEST(Reference, product_magnitudes_bound_the_product)
+{
+    Random random(16);
+    const Motor a = exact_random_motor(random, Regime::arbitrary), b = exact_random_motor(random, Regime::arbitrary);
+    const Motor product = compose(a, b), magnitudes = product_magnitudes(a, b);
+    for (std::size_t k = 0; k < 8; ++k)
+        EXPECT_LE(std::abs(static_cast<long double>(product[k])), static_cast<long double>(magnitudes[k]));
+    // s t takes part in one component only, and alone gives just that.
+    Motor one{};
+    one[0] = Real(-1);
+    expect_close<8>(product_magnitudes(one, one), {Real(1)}, 0);
+}
+
+struct Spline {
+    std::vector<Motor> controls;
+    std::vector<Real> knots;
+};
+
+Spline random_spline(Random &random, std::size_t degree, std::size_t controls)
+{
+    Spline spline;
+    for (std::size_t k = 0; k < controls; ++k)
+        spline.controls.push_back(exact_random_motor(random, Regime::arbitrary));
+    Real knot(0);
+    for (std::size_t k = 0; k < controls + degree - 1; ++k) {
+        spline.knots.push_back(knot);
+        if (!random.chance(3))
+            knot += Real(random.uniform(0.1, 1));
+    }
+    return spline;
+}
+
+// The paper's recursion has t_{i-1} where t_{i-r} must be. With that, it agrees with the definition of the basis.
+TEST(Reference, blossom_recursion_agrees_with_the_basis_functions)
+{
+    Random random(17);
+    for (std::size_t degree = 1; degree <= 6; ++degree)
+        for (int repetition = 0; repetition < 20; ++repetition) {
+            const std::size_t controls = degree + 1 + random.below(6);
+            const Spline spline = random_spline(random, degree, controls);
+            const Real first = spline.knots[degree - 1], last = spline.knots[controls - 1];
+            if (!(first < last))
+                continue;
+            for (int k = 0; k <= 8; ++k) {
+                const Real t = first + (last - first) * Real(k / 8.0L);
+                const std::vector<Real> basis = bspline_basis(controls, spline.knots, degree, t);
+                expect_close(sample_bspline(spline.controls, spline.knots, degree, t), blend(basis, spline.controls),
+                             1e-24L);
+                Real sum;
+                for (const Real &b : basis) {
+                    EXPECT_FALSE(b < Real(0));
+                    sum += b;
+                }
+                EXPECT_LE(distance(sum, Real(1)), 1e-24L);
+            }
+        }
+}
+
+TEST(Reference, bezier_motions_are_the_special_case_of_knots_0_and_1)
+{
+    Random random(18);
+    const std::size_t degree = 3;
+    Spline spline = random_spline(random, degree, degree + 1);
+    spline.knots = {Real(0), Real(0), Real(0), Real(1), Real(1), Real(1)};
+    const Real t(0.375L), u(0.625L);
+    const std::vector<Real> bernstein = {u * u * u, Real(3) * u * u * t, Real(3) * u * t * t, t * t * t};
+    expect_close(sample_bspline(spline.controls, spline.knots, degree, t), blend(bernstein, spline.controls), tiny);
+}
+
+}  // namespace
+}  // namespace motorway::reference

@@ -1,0 +1,90 @@
+// What a tester is told about a kernel: its operands, how to call it, how to draw inputs for it, and what must come
+// out, with the tolerance. One class a kernel derives from it; see apply_tester.h and its neighbours.
+#ifndef MOTORWAY_TESTS_SUBJECT_H
+#define MOTORWAY_TESTS_SUBJECT_H
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "api.h"
+#include "random.h"
+#include "reference.h"
+
+namespace motorway::testing {
+
+enum class Operand { xyz, motor, weights };
+
+// The exact components of an element of the result, and how far from each the computed one may be.
+struct Expected {
+    std::vector<reference::Real> value;
+    std::vector<long double> tolerance;
+};
+
+template <class T>
+class Subject {
+public:
+    struct Input {
+        Operand operand;
+        std::size_t components;
+    };
+
+    virtual ~Subject() = default;
+
+    virtual std::string name() const = 0;
+    virtual std::vector<Input> inputs() const = 0;
+    virtual Operand output() const = 0;
+    virtual mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const = 0;
+
+    // Draws the inputs of one element; inputs[k] points to the components of input k.
+    virtual void draw(Random &random, T *const *inputs) const = 0;
+    virtual Expected expect(const T *const *inputs) const = 0;
+
+    std::size_t output_components() const { return output() == Operand::xyz ? 3 : 8; }
+};
+
+template <class T>
+using Subjects = std::vector<std::unique_ptr<Subject<T>>>;
+
+// The unit of every tolerance. An operation has a relative error of at most half of it.
+template <class T>
+constexpr long double epsilon = std::numeric_limits<T>::epsilon();
+
+// Half the spacing of subnormal numbers: what an operation that underflows is off by, at most.
+template <class T>
+constexpr long double underflow = static_cast<long double>(std::numeric_limits<T>::denorm_min()) / 2;
+
+// The dense reference has terms in e+ and e- that cancel, up to the product of the sizes of its operands; this is
+// what it loses by that. It matters only where the exact result is all but zero beside its operands.
+inline long double reference_error(long double largest_term) { return 0x1p-118L * largest_term; }
+
+// The sum of the magnitudes of a few components.
+template <class T>
+long double size_of(const T *components, std::size_t count)
+{
+    long double sum = 0;
+    for (std::size_t k = 0; k < count; ++k)
+        sum += std::abs(static_cast<long double>(components[k]));
+    return sum;
+}
+
+template <class T>
+reference::Motor exact_motor(const T *components)
+{
+    reference::Motor motor;
+    for (std::size_t k = 0; k < 8; ++k)
+        motor[k] = reference::Real(components[k]);
+    return motor;
+}
+
+template <class T>
+reference::Vector3 exact_vector(const T *components)
+{
+    return {reference::Real(components[0]), reference::Real(components[1]), reference::Real(components[2])};
+}
+
+}  // namespace motorway::testing
+
+#endif

@@ -1,0 +1,399 @@
+// Bad input, case by case: exit code 2, one line that says where, and nothing written.
+
+#include <algorithm>
+#include <map>
+#include <ostream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "run_tool.h"
+
+namespace motorway::tool {
+namespace {
+
+using Files = std::map<std::string, std::string>;
+
+struct BadInput {
+    std::string name;
+    Files files;                        /* besides the good ones below, or instead of them */
+    std::vector<std::string> arguments; /* instead of the usual ones, if there are any */
+    std::string expected;               /* how the message begins, after "motorway: error: " */
+    std::string also = "";              /* what else it says */
+    ToolLimits limits = {};
+};
+
+void PrintTo(const BadInput &bad, std::ostream *out)
+{
+    *out << bad.name;
+}
+
+const std::string GOOD_OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const std::string GOOD_MOTION = R"({"motorway": 1, "kind": "linear", "controls": [{"steps": []}, {"steps": []}]})";
+const std::string PLY_VERTICES = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+const std::string PLY_FACES = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+const std::string PLY_HEADER = "ply\nformat ascii 1.0\n" + PLY_VERTICES + PLY_FACES; /* 9 lines */
+
+BadInput obj(const std::string &name, const std::string &contents, const std::string &expected,
+             const std::string &also = "")
+{
+    return {"Obj" + name, {{"mesh.obj", contents}}, {}, expected, also};
+}
+
+BadInput ply(const std::string &name, const std::string &contents, const std::string &expected,
+             const std::string &also = "")
+{
+    return {"Ply" + name,
+            {{"mesh.ply", contents}},
+            {"pose", "mesh.ply", "--motion", "motion.json", "--frames", "3", "--out", "out.glb"},
+            expected,
+            also};
+}
+
+BadInput motion(const std::string &name, const std::string &contents, const std::string &expected,
+                const std::string &also = "")
+{
+    return {"Motion" + name, {{"motion.json", contents}}, {}, expected, also};
+}
+
+/* A motion whose first control is this. */
+BadInput control(const std::string &name, const std::string &contents, const std::string &expected,
+                 const std::string &also = "")
+{
+    return motion("Control" + name,
+                  R"({"motorway": 1, "kind": "linear", "controls": [)" + contents + R"(, {"steps": []}]})", expected,
+                  also);
+}
+
+/* A B-spline of four poses at rest with these knots. */
+BadInput knots(const std::string &name, const std::string &degree_and_knots, const std::string &expected,
+               const std::string &also = "")
+{
+    return motion("Spline" + name,
+                  R"({"motorway": 1, "kind": "bspline", "controls":
+        [{"steps": []}, {"steps": []}, {"steps": []}, {"steps": []}], )" +
+                      degree_and_knots + "}",
+                  expected, also);
+}
+
+BadInput options(const std::string &name, const std::vector<std::string> &arguments, const std::string &expected,
+                 const std::string &also = "")
+{
+    return {name, {}, arguments, expected, also};
+}
+
+std::vector<std::string> pose(const std::string &frames, const std::string &out, std::vector<std::string> more = {})
+{
+    std::vector<std::string> arguments = {"pose",     "mesh.obj", "--motion", "motion.json",
+                                          "--frames", frames,     "--out",    out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+std::string floats(std::initializer_list<const char *> patterns)
+{
+    std::string bytes;
+    for (const char *pattern : patterns)
+        bytes.append(pattern, 4);
+    return bytes;
+}
+
+std::vector<BadInput> obj_cases()
+{
+    const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    return {
+        obj("Empty", "", "mesh.obj: has no vertices"),
+        obj("NoFaces", three, "mesh.obj: has no faces"),
+        obj("TruncatedVertex", "v 0 0 0\nv 1 0\n", "mesh.obj:2: a vertex needs 3 numbers", "truncated"),
+        obj("NotANumber", "v 0 0 0\nv 1 zwei 0\n", "mesh.obj:2: \"zwei\" is not a number"),
+        obj("HalfANumber", "v 0 0 0\nv 1 2x 0\n", "mesh.obj:2: \"2x\" is not a number"),
+        obj("NanVertex", "v 0 0 0\n\n\nv 1 nan 0\n", "mesh.obj:4: \"nan\" is not a finite float"),
+        obj("InfiniteVertex", "v 0 -inf 0\n", "mesh.obj:1: \"-inf\" is not a finite float"),
+        obj("VertexTooLarge", "v 0 1e39 0\n", "mesh.obj:1: \"1e39\" is not a finite float"),
+        obj("NanNormal", three + "vn 0 nan 1\nf 1//1 2//1 3//1\n", "mesh.obj:4: \"nan\" is not a finite float"),
+        obj("FacePastTheLastVertex", three + "f 1 2 3\nf 1 2 4\n", "mesh.obj:5: the face has vertex 4",
+            "the last is 3"),
+        obj("FaceBeforeTheFirstVertex", three + "f 1 2 -4\n", "mesh.obj:4: the face has vertex -4"),
+        obj("FacePastTheLastNormal", three + "vn 0 0 1\nf 1//1 2//1 3//2\n", "mesh.obj:5: the face has normal 2"),
+        obj("FaceAtZero", three + "f 0 1 2\n", "mesh.obj:4: the corner \"0\" has no vertex number"),
+        obj("FaceFarPastTheLastVertex", three + "f 1 2 9223372036854775807\n",
+            "mesh.obj:4: the face has vertex 9223372036854775807"),
+        obj("FaceBeyondAnyNumber", three + "f 1 2 99999999999999999999\n", "mesh.obj:4: the corner "),
+        obj("FaceFarBeforeTheFirst", three + "f 1 2 -9223372036854775808\n", "mesh.obj:4: the face has vertex -92"),
+        obj("FaceOfTwoCorners", three + "f 1 2\n", "mesh.obj:4: a face needs 3 corners or more, here are 2"),
+        obj("FaceWithManySlashes", three + "f 1/1/1/1 2 3\n", "mesh.obj:4: \"1/1/1/1\" has too many slashes"),
+        obj("FaceOfWords", three + "f a b c\n", "mesh.obj:4: the corner \"a\""),
+        obj("Garbage",
+            std::string("\x7f"
+                        "ELF\0\1\2\nxyz",
+                        11),
+            "mesh.obj:1: ", "no OBJ statement"),
+        obj("LineAfterContinuation", three + "f 1 \\\n 2 3\nf 1 2 9\n", "mesh.obj:6: the face has vertex 9"),
+    };
+}
+
+std::vector<BadInput> ply_cases()
+{
+    const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
+    const std::string little = "ply\nformat binary_little_endian 1.0\n" + PLY_VERTICES + PLY_FACES;
+    const std::string big = "ply\nformat binary_big_endian 1.0\n" + PLY_VERTICES + PLY_FACES;
+    const std::string zeros(36, '\0'), face("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
+    const std::string not_a_number = floats({"\0\0\0\0", "\0\0\xc0\x7f", "\0\0\0\0"}) + std::string(24, '\0');
+    return {
+        ply("Empty", "", "mesh.ply:1: does not begin with \"ply\""),
+        ply("SomethingElse", "solid cube\nfacet\n", "mesh.ply:1: does not begin with \"ply\""),
+        ply("HeaderWithoutEnd", "ply\nformat ascii 1.0\nelement vertex 3\n",
+            "mesh.ply:3: the header has no \"end_header\"", "truncated"),
+        ply("NoFormat", "ply\n" + PLY_VERTICES + PLY_FACES + vertices, "mesh.ply:8: the header has no \"format\""),
+        ply("UnknownFormat", "ply\nformat ebcdic 1.0\n", "mesh.ply:2: unknown format"),
+        ply("UnknownKeyword", "ply\nformat ascii 1.0\nelephant vertex 3\n", "mesh.ply:3: \"elephant\""),
+        ply("UnknownType", "ply\nformat ascii 1.0\nelement vertex 3\nproperty quad x\n",
+            "mesh.ply:4: unknown type \"quad\""),
+        ply("PropertyWithoutElement", "ply\nformat ascii 1.0\nproperty float x\n", "mesh.ply:3: a property before"),
+        ply("NegativeCount", "ply\nformat ascii 1.0\nelement vertex -3\n", "mesh.ply:3: an element needs"),
+        ply("PropertyTwice", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty int x\n",
+            "mesh.ply:5: a second property \"x\""),
+        ply("ElementTwice", "ply\nformat ascii 1.0\nelement vertex 3\nelement vertex 3\n",
+            "mesh.ply:4: a second element \"vertex\""),
+        ply("HugeCount",
+            "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000000\nproperty float x\n"
+            "property float y\nproperty float z\n" +
+                PLY_FACES + zeros,
+            "mesh.ply:3: 4000000000000 times \"vertex\" cannot be in the 36 bytes", "truncated"),
+        ply("NoCoordinates",
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float u\n" + PLY_FACES + "1\n3 0 0 0\n",
+            "mesh.ply:3: the vertices have no x, y and z"),
+        ply("NoFaces", "ply\nformat ascii 1.0\n" + PLY_VERTICES + "end_header\n" + vertices,
+            "mesh.ply: has no faces"),
+        ply("NoVertices",
+            "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+            "property float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n",
+            "mesh.ply: has no vertices"),
+        ply("FacesWithoutCorners",
+            "ply\nformat ascii 1.0\n" + PLY_VERTICES +
+                "element face 1\nproperty int id\n"
+                "end_header\n" +
+                vertices + "1\n",
+            "mesh.ply:7: the faces have no list vertex_indices"),
+        ply("Truncated", PLY_HEADER + "0 0 0\n1 0 0\n0 1 0\n3 0 1", "mesh.ply:13: in face 0", "truncated"),
+        ply("TruncatedVertices", PLY_HEADER + "0 0 0\n1 0 0 1 1 0", "mesh.ply:", "truncated"),
+        ply("TruncatedBinary", little + zeros + face.substr(0, 9), "mesh.ply: in face 0", "truncated"),
+        ply("TruncatedBigEndian", big + zeros + face.substr(0, 9), "mesh.ply: in face 0", "truncated"),
+        ply("HugeList",
+            "ply\nformat binary_little_endian 1.0\n" + PLY_VERTICES +
+                "element face 1\nproperty list uint int vertex_indices\nend_header\n" + zeros + "\xff\xff\xff\xff" +
+                std::string(12, '\0'),
+            "mesh.ply: in face 0", "truncated"),
+        ply("NegativeList",
+            "ply\nformat ascii 1.0\n" + PLY_VERTICES +
+                "element face 1\nproperty list int int vertex_indices\nend_header\n" + vertices + "-3 0 1 2\n",
+            "mesh.ply:13: in face 0", "negative"),
+        ply("FacePastTheLastVertex", PLY_HEADER + vertices + "3 0 1 3\n", "mesh.ply:13: face 0 has vertex 3"),
+        ply("NegativeVertex", PLY_HEADER + vertices + "3 0 1 -1\n", "mesh.ply:13: in face 0", "vertex -1"),
+        ply("BinaryFacePastTheLastVertex", big + zeros + std::string("\3\0\0\0\0\0\0\0\1\0\0\0\3", 13),
+            "mesh.ply: face 0 has vertex 3"),
+        ply("FaceOfTwoCorners", PLY_HEADER + vertices + "2 0 1 0 0 0\n", "mesh.ply:13: in face 0", "2 corners"),
+        ply("NotANumber", PLY_HEADER + "0 0 0\n1 zwei 0\n0 1 0\n3 0 1 2\n", "mesh.ply:11: in vertex 1",
+            "\"zwei\" is not a number"),
+        ply("NanVertex", PLY_HEADER + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n", "mesh.ply:11: in vertex 1", "not a finite"),
+        ply("BinaryNanVertex", little + not_a_number + face, "mesh.ply: in vertex 0", "y is not a finite float"),
+        ply("VertexTooLarge", PLY_HEADER + "0 0 0\n1 0 1e39\n0 1 0\n3 0 1 2\n", "mesh.ply:11: in vertex 1"),
+    };
+}
+
+std::vector<BadInput> motion_cases()
+{
+    const std::string rotate = R"({"steps": [{"rotate": )";
+    return {
+        motion("Empty", "", "motion.json:1: not JSON"),
+        motion("Truncated", "{\"motorway\": 1,\n\"kind\": \"linear\",\n\"controls\": [{\"steps\"",
+               "motion.json:3: ", "controls[0]"),
+        motion("NotAnObject", "[]", "motion.json: must be an object"),
+        motion("UnknownKey", R"({"motorway": 1, "kind": "linear", "speed": 2, "controls": []})",
+               "motion.json: unknown key \"speed\""),
+        motion("KeyTwice", R"({"motorway": 1, "kind": "linear", "kind": "bezier", "controls": []})",
+               "motion.json: ", "\"kind\" comes twice"),
+        motion("NoVersion", R"({"kind": "linear", "controls": []})", "motion.json: the key \"motorway\" is missing"),
+        motion("UnknownVersion", R"({"motorway": 2, "kind": "linear", "controls": []})", "motion.json: motorway: "),
+        motion("NoKind", R"({"motorway": 1, "controls": [{"steps": []}, {"steps": []}]})",
+               "motion.json: the key \"kind\" is missing"),
+        motion("UnknownKind", R"({"motorway": 1, "kind": "cubic", "controls": [{"steps": []}, {"steps": []}]})",
+               "motion.json: kind: "),
+        motion("NoControls", R"({"motorway": 1, "kind": "linear"})", "motion.json: the key \"controls\" is missing"),
+        motion("EmptyControls", R"({"motorway": 1, "kind": "linear", "controls": []})", "motion.json: controls: "),
+        motion("EmptyBsplineControls",
+               R"({"motorway": 1, "kind": "bspline", "degree": 1, "knots": [], "controls": []})",
+               "motion.json: controls: "),
+        motion("OneControl", R"({"motorway": 1, "kind": "bezier", "controls": [{"steps": []}]})",
+               "motion.json: controls: "),
+        motion("LinearWithKnots", R"({"motorway": 1, "kind": "linear", "knots": [0, 1], "controls":
+               [{"steps": []}, {"steps": []}]})",
+               "motion.json: unknown key \"knots\""),
+        motion("NameOfAnotherType", R"({"motorway": 1, "name": 5, "kind": "linear", "controls": []})",
+               "motion.json: name: must be a text"),
+        motion("MeshSizeOfZero", R"({"motorway": 1, "mesh_size": 0, "kind": "linear", "controls": []})",
+               "motion.json: mesh_size: "),
+        motion("CancellingControls", R"({"motorway": 1, "kind": "linear", "controls": [{"steps": []},
+               {"motor": [-1, 0, 0, 0, 0, 0, 0, 0]}]})",
+               "motion.json: the motion has no pose at t = 0.5"),
+        control("Nan", R"({"steps": [{"translate": [0, NaN, 0]}]})",
+                "motion.json:1: at controls[0].steps[0].translate[1]: not JSON"),
+        control("Infinity", "{\"steps\": [\n{\"translate\": [Infinity, 0, 0]}]}",
+                "motion.json:2: at controls[0].steps[0].translate[0]: not JSON"),
+        control("NumberBeyondDouble", R"({"steps": [{"translate": [0, 0, 1e999]}]})",
+                "motion.json:1: at controls[0].steps[0].translate[2]: ", "too large"),
+        control("NumberBeyondFloat", R"({"steps": [{"translate": [0, 0, 1e99]}]})",
+                "motion.json: controls[0].steps[0].translate[2]: is too large"),
+        control("PoseBeyondFloat", R"({"steps": [{"translate": [3e38, 0, 0]}, {"translate": [3e38, 0, 0]},
+                {"translate": [3e38, 0, 0]}]})",
+                "motion.json: controls[0]: the pose is too large"),
+        control("NotAnObject", "5", "motion.json: controls[0]: must be an object"),
+        control("WithNothing", "{}", "motion.json: controls[0]: "),
+        control("WithBoth", R"({"steps": [], "motor": [1, 0, 0, 0, 0, 0, 0, 0]})", "motion.json: controls[0]: "),
+        control("UnknownStep", R"({"steps": [{"translate": [0, 0, 0]}, {"shear": 1}]})",
+                "motion.json: controls[0].steps[1]: unknown key \"shear\""),
+        control("StepWithBoth", R"({"steps": [{"translate": [0, 0, 0], "rotate": {}}]})",
+                "motion.json: controls[0].steps[0]: "),
+        control("TextForANumber", R"({"steps": [{"translate": ["0", 0, 0]}]})",
+                "motion.json: controls[0].steps[0].translate[0]: must be a number"),
+        control("NullForAList", R"({"steps": [{"translate": null}]})",
+                "motion.json: controls[0].steps[0].translate: must be a list"),
+        control("TwoCoordinates", R"({"steps": [{"translate": [0, 0]}]})",
+                "motion.json: controls[0].steps[0].translate: must hold 3 numbers"),
+        control("SevenCoefficients", R"({"motor": [1, 0, 0, 0, 0, 0, 0]})", "motion.json: controls[0].motor: "),
+        control("NoAngle", rotate + R"({"axis": [0, 0, 1]}}]})", "motion.json: controls[0].steps[0].rotate: needs"),
+        control("TwoAngles", rotate + R"({"axis": [0, 0, 1], "degrees": 1, "radians": 1}}]})",
+                "motion.json: controls[0].steps[0].rotate: needs"),
+        control("NoAxis", rotate + R"({"degrees": 1}}]})",
+                "motion.json: controls[0].steps[0].rotate: the key \"axis\" is missing"),
+        control("AxisOfLengthZero", rotate + R"({"axis": [0, 0, 0], "degrees": 1}}]})",
+                "motion.json: controls[0].steps[0].rotate.axis: "),
+        control("AlphaOfZero", R"({"motor": [0, 0, 0, 0, 1, 2, 3, 4]})", "motion.json: controls[0]: "),
+        knots("NoDegree", R"("knots": [0, 0, 1, 2, 2])", "motion.json: the key \"degree\" is missing"),
+        knots("DegreeZero", R"("degree": 0, "knots": [0, 0, 1])", "motion.json: degree: "),
+        knots("DegreeOfAHalf", R"("degree": 1.5, "knots": [0, 0, 1])", "motion.json: degree: must be a whole"),
+        knots("DegreeTooHigh", R"("degree": 32, "knots": [0, 0, 1])", "motion.json: degree: "),
+        knots("DegreeForMoreControls", R"("degree": 4, "knots": [0, 0, 0, 1, 1, 1, 1])", "motion.json: controls: "),
+        knots("NoKnots", R"("degree": 2)", "motion.json: the key \"knots\" is missing"),
+        knots("EmptyKnots", R"("degree": 2, "knots": [])", "motion.json: knots: there are 0"),
+        knots("TooFewKnots", R"("degree": 2, "knots": [0, 0, 1, 2])", "motion.json: knots: there are 4", "needs 5"),
+        knots("TooManyKnots", R"("degree": 2, "knots": [0, 0, 1, 2, 2, 2])", "motion.json: knots: there are 6"),
+        knots("DecreasingKnots", R"("degree": 2, "knots": [0, 0, 2, 1, 2])", "motion.json: knots[3]: "),
+        knots("DomainOfLengthZero", R"("degree": 2, "knots": [1, 1, 1, 1, 1])", "motion.json: knots"),
+        knots("KnotOfText", R"("degree": 2, "knots": [0, 0, "1", 2, 2])", "motion.json: knots[2]: must be a number"),
+    };
+}
+
+std::vector<BadInput> option_cases()
+{
+    ToolLimits nonsense, small_disk;
+    nonsense.isa = "pentium";
+    small_disk.largest_file = 200; /* enough for the message, which goes into a file as well */
+    return {
+        options("NoCommand", {"--"}, "", "--help"),
+        options("UnknownCommand", {"dance"}, "", "--help"),
+        options("UnknownOption", pose("3", "out.glb", {"--quickly"}), "", "--quickly"),
+        options("NoMesh", {"pose", "--motion", "motion.json", "--frames", "3", "--out", "out.glb"}, "", "MESH"),
+        options("NoFrames", {"pose", "mesh.obj", "--motion", "motion.json", "--out", "out.glb"}, "", "--frames"),
+        options("ZeroFrames", pose("0", "out.glb"), "--frames: "),
+        options("NegativeFrames", pose("-1", "out.glb"), "--frames: "),
+        options("TooManyFrames", pose("1000001", "out.glb"), "--frames: "),
+        options("FramesOfWords", pose("many", "out.glb"), "", "--frames"),
+        options("ScaleOfZero", pose("3", "out.glb", {"--scale", "0"}), "--scale: "),
+        options("ScaleOfNan", pose("3", "out.glb", {"--scale", "nan"}), "--scale: "),
+        options("ScaleBeyondFloat", pose("3", "out.glb", {"--scale", "1e300"}), "mesh.obj: is too large"),
+        options("FpsOfZero", pose("3", "out.glb", {"--fps", "0"}), "--fps: "),
+        options("NoPicturePoses", pose("3", "out.glb", {"--picture", "p.svg", "--picture-poses", "0"}),
+                "--picture-poses: "),
+        options("OutOfUnknownKind", pose("3", "out.fbx"), "--out: \"out.fbx\" has an unknown extension"),
+        options("OutWithoutKind", pose("3", "out"), "--out: \"out\" has an unknown extension"),
+        options("PictureOfUnknownKind", pose("3", "out.glb", {"--picture", "p.png"}), "--picture: \"p.png\""),
+        options("OutFolderMissing", pose("3", "nowhere/out.glb"),
+                "nowhere/out.glb: the folder nowhere does not exist"),
+        options("FrameFolderMissing", pose("3", "nowhere/out.obj"), "nowhere/out-0000.obj: the folder nowhere"),
+        options("PictureFolderMissing", pose("3", "out.glb", {"--picture", "nowhere/p.svg"}), "nowhere/p.svg: "),
+        options("OutFolderIsAFile", pose("3", "mesh.obj/out.glb"), "mesh.obj/out.glb: "),
+        options("OutFolderCannotBeWritten", pose("3", "/proc/out.glb"), "/proc/out.glb: "),
+        {"OutIsAFolder", {{"out.glb/keep", ""}}, {}, "out.glb: is a folder"},
+        {"AFrameIsAFolder", {{"out-0002.ply/keep", ""}}, pose("3", "out.ply"), "out-0002.ply: cannot be written"},
+        options("MeshMissing", {"pose", "no.obj", "--motion", "motion.json", "--frames", "3", "--out", "out.glb"},
+                "no.obj: cannot be opened"),
+        options("MeshIsAFolder", {"pose", "..", "--motion", "motion.json", "--frames", "3", "--out", "out.glb"},
+                "..: "),
+        {"MeshOfAFolder",
+         {{"m.obj/keep", ""}},
+         {"pose", "m.obj", "--motion", "motion.json", "--frames", "3", "--out", "out.glb"},
+         "m.obj: is a folder"},
+        options("MeshOfUnknownKind",
+                {"pose", "motion.json", "--motion", "motion.json", "--frames", "3", "--out", "o.glb"},
+                "motion.json: unknown kind of mesh"),
+        options("MotionMissing", {"pose", "mesh.obj", "--motion", "no.json", "--frames", "3", "--out", "out.glb"},
+                "no.json: cannot be opened"),
+        {"PoseBeyondFloat",
+         {{"motion.json", R"({"motorway": 1, "kind": "linear", "controls": [{"steps": []},
+             {"steps": [{"translate": [3.4e38, 0, 0]}]}]})"},
+          {"mesh.obj", "v 3e38 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n"}},
+         pose("2", "out.obj"),
+         "frame 1: vertex 0 "},
+        {"IsaThatCannotRun", {}, {}, "MOTORWAY_ISA: ", "", nonsense},
+        {"IsaThatCannotRunForInfo", {}, {"info"}, "MOTORWAY_ISA: ", "", nonsense},
+        {"DiskFull", {}, {}, "out.glb: cannot be written", "", small_disk},
+        {"DiskFullForFrames", {}, pose("3", "out.ply"), "out-0000.ply: cannot be written", "", small_disk},
+        {"DiskFullForThePicture",
+         {},
+         pose("3", "out.obj", {"--picture", "p.svg"}),
+         "p.svg: cannot be written",
+         "",
+         small_disk},
+    };
+}
+
+std::vector<BadInput> all_cases()
+{
+    std::vector<BadInput> all;
+    for (const auto &cases : {obj_cases(), ply_cases(), motion_cases(), option_cases()})
+        all.insert(all.end(), cases.begin(), cases.end());
+    return all;
+}
+
+class BadInputTest : public ::testing::TestWithParam<BadInput> {};
+
+TEST_P(BadInputTest, IsOneLineAndLeavesNothing)
+{
+    const BadInput &bad = GetParam();
+    const TemporaryFolder folder;
+    Files files = {{"mesh.obj", GOOD_OBJ}, {"motion.json", GOOD_MOTION}};
+    for (const auto &[name, contents] : bad.files)
+        files[name] = contents;
+    for (const auto &[name, contents] : files) {
+        std::filesystem::create_directories((folder.path() / name).parent_path());
+        folder.write(name, contents);
+    }
+    const std::vector<std::string> before = folder.list();
+    const ToolResult result =
+        run_tool(folder.path(), bad.arguments.empty() ? pose("3", "out.glb") : bad.arguments, bad.limits);
+
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err.rfind("motorway: error: " + bad.expected, 0), 0u) << result.err;
+    EXPECT_NE(result.err.find(bad.also), std::string::npos) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << "one line: " << result.err;
+    EXPECT_FALSE(result.err.empty() || result.err.back() != '\n');
+    EXPECT_EQ(folder.list(), before) << "nothing written";
+}
+
+INSTANTIATE_TEST_SUITE_P(, BadInputTest, ::testing::ValuesIn(all_cases()),
+                         [](const auto &bad) { return bad.param.name; });
+
+TEST(BadInputs, TheirGoodCounterpartIsGood)
+{
+    const TemporaryFolder folder;
+    folder.write("mesh.obj", GOOD_OBJ);
+    folder.write("motion.json", GOOD_MOTION);
+    const ToolResult result = run_tool(folder.path(), pose("3", "out.glb"));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(folder.list(), (std::vector<std::string>{"mesh.obj", "motion.json", "out.glb"}));
+}
+
+} // namespace
+} // namespace motorway::tool
