@@ -1,0 +1,85 @@
+// Eigen: an isometry (a 4×4 matrix) for one motion, and a quaternion and a translation for one motion a point.
+// Separate arrays are moved as arrays, which Eigen vectorises.
+#include "baseline.h"
+
+#include <Eigen/Geometry>
+
+namespace motorway::bench {
+namespace {
+
+template <class T> using isometry = Eigen::Transform<T, 3, Eigen::Isometry>;
+template <class T> using vector3 = Eigen::Matrix<T, 3, 1>;
+
+template <class T> struct quaternion_and_translation {
+    Eigen::Quaternion<T> rotation;
+    vector3<T> translation;
+};
+
+template <class T> isometry<T> isometry_of(const rigid &r)
+{
+    isometry<T> result = isometry<T>::Identity();
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column)
+            result.linear()(row, column) = static_cast<T>(r.rotation[row][column]);
+        result.translation()(row) = static_cast<T>(r.translation[row]);
+    }
+    return result;
+}
+
+template <class T> quaternion_and_translation<T> quaternion_and_translation_of(const rigid &r)
+{
+    const Eigen::Quaterniond q(r.quaternion[0], r.quaternion[1], r.quaternion[2], r.quaternion[3]);
+    return {q.cast<T>(), Eigen::Map<const Eigen::Vector3d>(r.translation).template cast<T>()};
+}
+
+template <class T> work move_arrays(const problem<T> &p, const isometry<T> &motion)
+{
+    using input = Eigen::Map<const Eigen::Array<T, Eigen::Dynamic, 1>, Eigen::Aligned64>;
+    using output = Eigen::Map<Eigen::Array<T, Eigen::Dynamic, 1>, Eigen::Aligned64>;
+    const auto in = p.in[0].component(), out = p.out.component();
+    const auto size = static_cast<Eigen::Index>(p.count);
+    return make_work([=] {
+        const input x(in[0], size), y(in[1], size), z(in[2], size);
+        for (int row = 0; row < 3; ++row)
+            output(out[row], size) =
+                motion(row, 0) * x + motion(row, 1) * y + motion(row, 2) * z + motion(row, 3);
+    });
+}
+
+} // namespace
+
+template <class T> work bind_eigen(const problem<T> &p)
+{
+    if (p.kernel == "apply_point_one" || p.kernel == "apply_direction_one") {
+        auto motion = isometry_of<T>(rigid_of(fixed_motor(p)));
+        const bool point = p.kernel == "apply_point_one";
+        if (!point)
+            motion.translation().setZero();
+        if (p.kind == layout::soa)
+            return move_arrays(p, motion);
+        if (point)
+            return move_points<vector3<T>>(p, [=](std::size_t, const vector3<T> &v) -> vector3<T> {
+                return motion * v;
+            });
+        return move_points<vector3<T>>(p, [=](std::size_t, const vector3<T> &v) -> vector3<T> {
+            return motion.linear() * v;
+        });
+    }
+    if (p.kernel == "apply_point_each" || p.kernel == "apply_direction_each") {
+        const auto motions = convert_motors(p.in[0], p.count, quaternion_and_translation_of<T>);
+        if (p.kernel == "apply_point_each")
+            return move_points<vector3<T>>(p, [=](std::size_t i, const vector3<T> &v) -> vector3<T> {
+                const auto &motion = (*motions)[i];
+                return motion.rotation * v + motion.translation;
+            });
+        return move_points<vector3<T>>(p, [=](std::size_t i, const vector3<T> &v) -> vector3<T> {
+            return (*motions)[i].rotation * v;
+        });
+    }
+    return {};
+}
+
+template work bind_eigen(const problem<float> &);
+template work bind_eigen(const problem<double> &);
+
+} // namespace motorway::bench

@@ -1,0 +1,140 @@
+"""How high the library has set its bars: ratios of medians within one run, of f32 on one thread if not said."""
+
+from dataclasses import dataclass
+from typing import Callable, Iterable, List, Optional
+
+from .results import Results, Row
+
+
+@dataclass(frozen=True)
+class Bar:
+    shape: str
+    against: str
+    asked: float
+    reached: float
+    best: str = ""  # who that was, of several
+
+    @property
+    def rival(self) -> str:
+        return f"{self.against} ({self.best})" if self.best else self.against
+
+    @property
+    def passed(self) -> bool:
+        return self.reached >= self.asked
+
+
+Maker = Callable[[Results], Iterable[Optional[Bar]]]
+
+
+def bars(results: Results) -> List[Bar]:
+    """Those for which the run has measured both sides."""
+    makers: List[Maker] = [_one_packed, _one_packed_few, _one_strided, _one_soa, _one_beyond_caches, _each_soa,
+                           _each_packed, _grid, _avx2, _f64, _threads]
+    return [bar for maker in makers for bar in maker(results) if bar]
+
+
+def _strided(precision: str) -> str:
+    return {"f32": "aos32", "f64": "aos64"}[precision]
+
+
+def _best(rows: Iterable[Row]) -> Optional[Row]:
+    return max(rows, key=lambda row: row.items_per_second, default=None)
+
+
+def _plain(results: Results, kernel: str, layout: str, count: int, flags: Optional[str] = None) -> Optional[Row]:
+    """The best plain loop, of any compiler, at some flags or at any."""
+    return _best(row for row in results.baselines(kernel, layout, "f32", count)
+                 if row.library.startswith("plain-") and flags in (None, row.library.split("-", 2)[2]))
+
+
+def _ours(results: Results, kernel: str, layout: str, count: int, precision: str = "f32",
+          isa: Optional[str] = None) -> Optional[Row]:
+    return results.find(kernel, layout, precision, count, isa or results.isas[0])
+
+
+def _ratio(ours: Optional[Row], rival: Optional[Row], asked: float, against: str) -> Optional[Bar]:
+    if not ours or not rival:
+        return None
+    return Bar(ours.name, against, asked, ours.items_per_second / rival.items_per_second,
+               rival.library or "")
+
+
+def _part(row: Optional[Row], seconds: Optional[float], asked: float, against: str) -> Optional[Bar]:
+    return Bar(row.name, against, asked, seconds / row.seconds) if row and seconds else None
+
+
+def _one_packed(results: Results):
+    ours = _ours(results, "apply_point_one", "aos", 1024)
+    for flags, asked in ((None, 1.15), ("native", 2), ("x86-64-v3", 3), ("x86-64", 5)):
+        yield _ratio(ours, _plain(results, "apply_point_one", "aos", 1024, flags), asked,
+                     f"best plain loop at {flags or 'any flags'}")
+
+
+def _one_packed_few(results: Results):
+    yield _ratio(_ours(results, "apply_point_one", "aos", 64), _plain(results, "apply_point_one", "aos", 64), 1.0,
+                 "best plain loop at any flags")
+
+
+def _one_strided(results: Results):
+    layout = _strided("f32")
+    yield _ratio(_ours(results, "apply_point_one", layout, 1024), _plain(results, "apply_point_one", layout, 1024),
+                 1.15, "best plain loop at any flags")
+
+
+def _one_soa(results: Results):
+    ours = _ours(results, "apply_point_one", "soa", 1024)
+    yield _ratio(ours, _plain(results, "apply_point_one", "soa", 1024), 1.3, "best plain loop at any flags")
+    limit = results.part_of_limit(ours) if ours else None
+    if limit:
+        yield Bar(ours.name, "the limit that binds: " + limit[1], 0.7, limit[0])
+
+
+def _one_beyond_caches(results: Results):
+    largest = max((row.count for row in results.rows), default=0)
+    if largest < 8_000_000:
+        return
+    for layout in ("aos", _strided("f32"), "soa"):
+        ours = _ours(results, "apply_point_one", layout, largest)
+        yield _part(ours, results.copy_seconds(ours) if ours else None, 0.95, "limit_copy of the same bytes")
+
+
+def _each_soa(results: Results):
+    ours = _ours(results, "apply_point_each", "soa", 1024)
+    rivals = (results.find("apply_point_each", layout, "f32", 1024, library="eigen") for layout in ("aos", "soa"))
+    yield _ratio(ours, _best(row for row in rivals if row), 1.6, "Eigen, the better of aos and soa")
+    yield _part(ours, results.fma_seconds(ours) if ours else None, 0.8, "limit_fma")
+
+
+def _each_packed(results: Results):
+    yield _ratio(_ours(results, "apply_point_each", "aos", 1024), _ours(results, "apply_point_each", "soa", 1024),
+                 0.65, "the same in soa")
+
+
+def _grid(results: Results):
+    for row in results.rows:
+        if row.kernel == "apply_point_grid" and row.precision == "f32" and row.isa == results.isas[0]:
+            rate = results.memory["fill"].at(row.span_written)
+            yield _part(row, row.span_written / rate if rate else None, 0.9, "limit_fill of the bytes written")
+
+
+def _avx2(results: Results):
+    for layout in ("aos", _strided("f32"), "soa"):
+        yield _ratio(_ours(results, "apply_point_one", layout, 1024, isa="avx2"),
+                     _plain(results, "apply_point_one", layout, 1024, "x86-64-v3"), 1.15,
+                     "best plain loop at x86-64-v3")
+
+
+def _f64(results: Results):
+    # 256 points of either precision are in the first cache.
+    for kernel in ("apply_point_one", "apply_point_each"):
+        for layout in ("aos", "aos*", "soa"):
+            f64, f32 = (_ours(results, kernel, layout.replace("aos*", _strided(precision)), 256, precision)
+                        for precision in ("f64", "f32"))
+            yield _ratio(f64, f32, 0.5 * 0.85, "the same in f32")
+
+
+def _threads(results: Results):
+    for kernel in ("apply_point_one", "apply_point_each"):
+        for layout in ("aos", "soa"):
+            two = results.find(kernel, layout, "f32", 1024, results.isas[0], threads=2)
+            yield _ratio(two, _ours(results, kernel, layout, 1024), 1.8, "one thread")
