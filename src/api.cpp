@@ -28,6 +28,13 @@ mw_status check_call(unsigned flags, unsigned known_flags)
     return flags & ~known_flags ? MW_ERROR_FLAGS : MW_OK;
 }
 
+template <class T, int N, int M>
+mw_status check_views(const view<T, N> &out, const view<const T, M> &in, std::size_t count)
+{
+    return first_error(check_view(out, count), [&] { return check_view(in, count); },
+                       [&] { return check_overlap(out, in, count); });
+}
+
 template <class T>
 mw_status apply_one(kernel_id id, const view<T, 3> &out, const T *motor, const view<const T, 3> &in, std::size_t count,
                     unsigned flags)
@@ -35,10 +42,11 @@ mw_status apply_one(kernel_id id, const view<T, 3> &out, const T *motor, const v
     const mw_status called = check_call(flags, MW_UNIT_MOTORS);
     if (called != MW_OK || count == 0)
         return called;
-    const mw_status status = first_error(
-        check_array(motor, 8), [&] { return check_view(out, count); }, [&] { return check_view(in, count); },
-        [&] { return check_overlap(out, in, count); }, [&] { return check_overlap(out, motor, 8, count); },
-        [&] { return is_degenerate(motor) ? MW_ERROR_DEGENERATE_MOTOR : MW_OK; });
+    mw_status status = check_array(motor, 8);
+    if (status == MW_OK && !are_surely_fine(out, in, count))
+        status = check_views(out, in, count);
+    status = first_error(status, [&] { return check_overlap(out, motor, 8, count); },
+                         [&] { return is_degenerate(motor) ? MW_ERROR_DEGENERATE_MOTOR : MW_OK; });
     if (status != MW_OK)
         return status;
     const stream<const T> in_stream = in.as_stream();
@@ -52,9 +60,7 @@ mw_status stream_one(kernel_id id, const view<T, N> &out, const view<const T, M>
     const mw_status called = check_call(MW_DEFAULT, MW_DEFAULT);
     if (called != MW_OK || count == 0)
         return called;
-    const mw_status status =
-        first_error(check_view(out, count), [&] { return check_view(in, count); },
-                    [&] { return check_overlap(out, in, count); });
+    const mw_status status = are_surely_fine(out, in, count) ? MW_OK : check_views(out, in, count);
     if (status != MW_OK)
         return status;
     const stream<const T> in_stream = in.as_stream();
@@ -68,11 +74,14 @@ mw_status stream_two(kernel_id id, const view<T, N> &out, const view<const T, M>
     const mw_status called = check_call(MW_DEFAULT, MW_DEFAULT);
     if (called != MW_OK || count == 0)
         return called;
-    const mw_status status = first_error(
-        check_view(out, count), [&] { return check_view(first, count); }, [&] { return check_view(second, count); },
-        [&] { return check_overlap(out, first, count); }, [&] { return check_overlap(out, second, count); });
-    if (status != MW_OK)
-        return status;
+    if (!are_surely_fine(out, first, count) || !are_surely_fine(out, second, count)) {
+        const mw_status status = first_error(
+            check_view(out, count), [&] { return check_view(first, count); },
+            [&] { return check_view(second, count); }, [&] { return check_overlap(out, first, count); },
+            [&] { return check_overlap(out, second, count); });
+        if (status != MW_OK)
+            return status;
+    }
     const stream<const T> in[] = {first.as_stream(), second.as_stream()};
     return run<T>(id, {out.as_stream(), in, nullptr, 0, count});
 }
@@ -195,12 +204,14 @@ template <class T, class Motor> mw_status rotation(Motor *out, const T *axis, T 
     if (!out || !axis)
         return MW_ERROR_NULL;
     const double p[3] = {point ? point[0] : 0.0, point ? point[1] : 0.0, point ? point[2] : 0.0};
+    const bool finite = std::isfinite(axis[0]) && std::isfinite(axis[1]) && std::isfinite(axis[2]) &&
+                        std::isfinite(angle) && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
     // Scaled by its largest component first, so that no square over- or underflows.
     const double largest = std::fmax(std::fmax(std::fabs(axis[0]), std::fabs(axis[1])), std::fabs(axis[2]));
+    if (!finite || largest == 0)
+        return MW_ERROR_AXIS;
     const double a[3] = {axis[0] / largest, axis[1] / largest, axis[2] / largest};
     const double length = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-    if (!(largest > 0) || !std::isfinite(length + angle + p[0] + p[1] + p[2]))
-        return MW_ERROR_AXIS;
     const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle) / length;
     const double x = s * a[0], y = s * a[1], z = s * a[2];
     *out = {T(c),

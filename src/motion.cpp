@@ -4,15 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace motorway {
-
-template <class T> bool is_degenerate(const T *motor)
-{
-    const T alpha = motor[0] * motor[0] + motor[1] * motor[1] + motor[2] * motor[2] + motor[3] * motor[3];
-    return !(alpha >= std::numeric_limits<T>::min() && alpha <= std::numeric_limits<T>::max());
-}
 
 namespace {
 
@@ -38,7 +31,7 @@ constexpr std::size_t block = 64;
 
 // The weights of the d + 1 controls of a span, for up to `block` parameters in it: the blossom recursion of Hunt et
 // al., run backwards from the result, where it acts on weights instead of motors. Level r of the tableau combines
-// two neighbours over the knots l and l + r; what each gets of a weight is exact at both ends.
+// two neighbours over the knots l and l + r. Every weight is accurate to its own last bits, and exact at both ends.
 template <class T>
 void blossom_weights(const bspline<T> &motion, std::size_t span, const T *parameters, std::size_t count,
                      T (&weights)[MW_MAX_DEGREE + 1][block])
@@ -50,9 +43,9 @@ void blossom_weights(const bspline<T> &motion, std::size_t span, const T *parame
         for (std::size_t k = r; k-- > 0;) {
             const T left = knots[span + 1 + k - r], right = knots[span + 1 + k];
             for (std::size_t i = 0; i < count; ++i) {
-                const T kept = weights[k][i] * ((right - parameters[i]) / (right - left));
-                weights[k + 1][i] += weights[k][i] - kept;
-                weights[k][i] = kept;
+                const T weight = weights[k][i], t = parameters[i];
+                weights[k][i] = weight * ((right - t) / (right - left));
+                weights[k + 1][i] += weight * ((t - left) / (right - left));
             }
         }
     }
@@ -118,7 +111,6 @@ mw_status sample_bspline(const kernel_table &table, const view<T, 8> &out, const
 }
 
 #define MOTORWAY_INSTANTIATE(T)                                                                                       \
-    template bool is_degenerate(const T *);                                                                           \
     template mw_status check_bspline(const bspline<T> &, std::size_t *);                                              \
     template mw_status sample_bspline(const kernel_table &, const view<T, 8> &, const bspline<T> &, const T *,        \
                                       std::size_t);

@@ -3,6 +3,8 @@
 
 #include "view.h"
 
+#include <limits>
+
 namespace motorway {
 
 // mw_bspline_f32 and mw_bspline_f64 as one type.
@@ -17,8 +19,12 @@ template <class T> struct bspline {
     T domain_end() const { return knots[control_count - 1]; }
 };
 
-// α in the normal range: the motor has an inverse.
-template <class T> bool is_degenerate(const T *motor);
+// Whether α is outside the normal range, so that the motor has no inverse.
+template <class T> bool is_degenerate(const T *motor)
+{
+    const T alpha = motor[0] * motor[0] + motor[1] * motor[1] + motor[2] * motor[2] + motor[3] * motor[3];
+    return !(alpha >= std::numeric_limits<T>::min() && alpha <= std::numeric_limits<T>::max());
+}
 
 template <class T> mw_status check_bspline(const bspline<T> &motion, std::size_t *where);
 

@@ -93,7 +93,7 @@ const char *mw_isas(void);
 enum {
     MW_DEFAULT = 0,
     /* The caller promises that every motor is normalised, S̄S = 1 to rounding, which saves a division an element.
-     * If one is not, its results are wrong by the factor α, and no more than that. */
+     * If one is not, what it moves its element by comes out multiplied by its α. */
     MW_UNIT_MOTORS = 1
 };
 

@@ -55,6 +55,10 @@ template <class T, class Motors> view<T, 8> view_of_motors(const Motors &v)
 // ------------------------------------------------------------------------------------------------ shared bytes
 
 template <class T> std::uintptr_t address(const T *pointer) { return reinterpret_cast<std::uintptr_t>(pointer); }
+template <class T> std::uintptr_t distance(const T *a, const T *b)
+{
+    return address(a) < address(b) ? address(b) - address(a) : address(a) - address(b);
+}
 
 // Scalars of `size` bytes at a + i stride and at b + j stride, for i, j < count: is a byte common to two? Every call
 // of the library asks this several times, so the two usual answers cost no division.
@@ -91,7 +95,7 @@ template <class T> byte_range range_of(const T *array, std::size_t count)
 
 // -------------------------------------------------------------------------------------------------- validation
 
-// Null, stride and size. `count` is not 0. Small calls pay for this, so the usual views leave early.
+// Null, stride and size. `count` is not 0.
 template <class T, int N> mw_status check_view(const view<T, N> &v, std::size_t count)
 {
     for (const T *base : v.component)
@@ -106,8 +110,6 @@ template <class T, int N> mw_status check_view(const view<T, N> &v, std::size_t 
     for (const T *base : v.component)
         if (__builtin_add_overflow(address(base), extent, &end))
             return MW_ERROR_SIZE;
-    if (v.stride >= N * sizeof(T) && v.is_adjacent())
-        return MW_OK;
     for (int a = 0; a < N; ++a)
         for (int b = a + 1; b < N; ++b)
             if (share_bytes(address(v.component[a]), address(v.component[b]), v.stride, sizeof(T), count))
@@ -153,6 +155,37 @@ template <class T, int N, class Item>
 mw_status check_overlap(const view<T, N> &out, const Item *array, std::size_t items, std::size_t count)
 {
     return range_of(out, count).meets(range_of(array, items)) ? MW_ERROR_OVERLAP : MW_OK;
+}
+
+// A few instructions that see for most calls that all the checks above would pass: streams of adjacent components, or
+// of one array a component, that are clearly apart from each other and from the ends of the address space. Small
+// batches would otherwise pay more for their checks than for their work.
+template <class T, int N> bool is_surely_fine(const view<T, N> &v, std::size_t count)
+{
+    constexpr std::size_t largest = std::size_t(1) << 31, lowest = 4096;
+    bool fine = v.stride < largest && count < largest;
+    if (v.stride == sizeof(T)) {
+        for (int a = 0; a < N; ++a)
+            for (int b = a + 1; b < N; ++b)
+                fine &= distance(v.component[a], v.component[b]) >= count * sizeof(T);
+    } else
+        fine &= v.stride >= N * sizeof(T) && v.is_adjacent();
+    for (const T *base : v.component)
+        fine &= address(base) - lowest < UINTPTR_MAX / 2;
+    return fine;
+}
+template <class T, int N, int M>
+bool are_surely_fine(const view<T, N> &out, const view<const T, M> &in, std::size_t count)
+{
+    if (!is_surely_fine(out, count) || !is_surely_fine(in, count))
+        return false;
+    if (!range_of(out, count).meets(range_of(in, count)))
+        return true;
+    bool apart = out.stride == sizeof(T) && in.stride == sizeof(T);
+    for (const T *a : out.component)
+        for (const T *b : in.component)
+            apart &= distance(a, b) >= count * sizeof(T);
+    return apart;
 }
 
 // The first status of several that is not MW_OK. Later arguments are functions, so that a check may rely on those

@@ -137,6 +137,9 @@ template <class K, class T> MOTORWAY_LOOP void run_packed_affine(const call<T> &
 
 #endif
 
+// The count from which setting up the coefficients of a packed affine map costs less than it saves.
+constexpr std::size_t affine_pays = 128;
+
 // Whether a kernel is an affine map of triples.
 template <class K, class = void> constexpr bool is_affine = false;
 template <class K> constexpr bool is_affine<K, std::enable_if_t<K::affine>> = true;
@@ -154,7 +157,8 @@ template <class K, class T> void run(const call<T> &c)
     if (all_are<K>(c, layout::packed)) {
 #if !defined(MOTORWAY_ISA_scalar)
         if constexpr (is_affine<K>)
-            return run_packed_affine<K, T>(c);
+            if (c.count >= affine_pays)
+                return run_packed_affine<K, T>(c);
 #endif
         return run_elements<K, T, packed_stream>(c);
     }
