@@ -62,66 +62,83 @@ public:
 
 // ------------------------------------------------------------------------------------------------- packed
 
-// N registers as they lie in memory.
+// N registers of packed elements, groups of lanes as transpose.h describes them.
 template <class T, int N> class packed_registers {
     using real = std::remove_const_t<T>;
     using V = vector<real>;
+    static constexpr int W = width<real>, G = group<real>;
     T *base;
 
 public:
     explicit packed_registers(const stream<T> &s) : base(s.component[0]) {}
-    void load(std::size_t i, V *v) const
-    {
-        for (int r = 0; r < N; ++r)
-            v[r] = MOTORWAY_ISA_NAME::load(base + N * i + r * width<real>);
-    }
-    void store(std::size_t i, const V *v) const
-    {
-        for (int r = 0; r < N; ++r)
-            MOTORWAY_ISA_NAME::store(base + N * i + r * width<real>, v[r]);
-    }
+    void load(std::size_t i, V *v) const { load_from(base + N * i, v); }
+    void store(std::size_t i, const V *v) const { store_to(base + N * i, v); }
     void load_partial(std::size_t i, int n, V *v) const
     {
-        for (int r = 0; r < N; ++r) {
-            const int lanes = lanes_left<real>(N * n, r * width<real>);
-            const T *from = base + N * i + r * width<real>;
-            v[r] = lanes == width<real> ? MOTORWAY_ISA_NAME::load(from)
-                   : lanes > 0           ? MOTORWAY_ISA_NAME::load_partial(from, lanes)
-                                         : V(real(1));
+        if constexpr (G == W) {
+            for (int r = 0; r < N; ++r) {
+                const int lanes = lanes_left<real>(N * n, r * W);
+                const T *from = base + N * i + r * W;
+                v[r] = lanes == W ? MOTORWAY_ISA_NAME::load(from)
+                       : lanes    ? MOTORWAY_ISA_NAME::load_partial(from, lanes)
+                                  : V(real(1));
+            }
+        } else { // groups of one register are not adjacent in memory
+            real padded[N * W];
+            for (int k = 0; k < N * W; ++k)
+                padded[k] = k < N * n ? read<real>(base + N * i + k) : real(1);
+            load_from(padded, v);
         }
     }
     void store_partial(std::size_t i, int n, const V *v) const
     {
-        for (int r = 0; r < N; ++r) {
-            const int lanes = lanes_left<real>(N * n, r * width<real>);
-            T *to = base + N * i + r * width<real>;
-            if (lanes == width<real>)
-                MOTORWAY_ISA_NAME::store(to, v[r]);
-            else if (lanes > 0)
-                MOTORWAY_ISA_NAME::store_partial(to, v[r], lanes);
+        if constexpr (G == W) {
+            for (int r = 0; r < N; ++r) {
+                const int lanes = lanes_left<real>(N * n, r * W);
+                T *to = base + N * i + r * W;
+                if (lanes == W)
+                    MOTORWAY_ISA_NAME::store(to, v[r]);
+                else if (lanes)
+                    MOTORWAY_ISA_NAME::store_partial(to, v[r], lanes);
+            }
+        } else {
+            real padded[N * W];
+            store_to(padded, v);
+            for (int k = 0; k < N * n; ++k)
+                write(base + N * i + k, padded[k]);
         }
+    }
+
+private:
+    static void load_from(const real *from, V *v)
+    {
+        for (int r = 0; r < N; ++r)
+            v[r] = load_groups(from + r * G, N * G);
+    }
+    static void store_to(real *to, const V *v)
+    {
+        for (int r = 0; r < N; ++r)
+            store_groups(to + r * G, v[r], N * G);
     }
 };
 
-#if defined(MOTORWAY_ISA_scalar)
-template <class T, int N> using packed_stream = packed_registers<T, N>; // one element a register: nothing to turn
-#else
-template <class T, int N> class packed_stream {
+#if !defined(MOTORWAY_ISA_scalar)
+template <class T, int N> class packed_transposed {
     using real = std::remove_const_t<T>;
     using V = vector<real>;
     packed_registers<T, N> memory;
 
 public:
-    explicit packed_stream(const stream<T> &s) : memory(s) {}
+    explicit packed_transposed(const stream<T> &s) : memory(s) {}
     void load(std::size_t i, V *v) const
     {
         memory.load(i, v);
-        unpack<N, V, width<real>>(v);
+        unpack<N, V, width<real>, group<real>>(v);
     }
     void load_partial(std::size_t i, int n, V *v) const
     {
         memory.load_partial(i, n, v);
-        unpack<N, V, width<real>>(v);
+        unpack<N, V, width<real>, group<real>>(v);
     }
     void store(std::size_t i, const V *v) const
     {
@@ -141,7 +158,7 @@ private:
     {
         for (int c = 0; c < N; ++c)
             turned[c] = v[c];
-        pack<N, V, width<real>>(turned);
+        pack<N, V, width<real>, group<real>>(turned);
     }
 };
 #endif
@@ -268,17 +285,21 @@ private:
     }
 };
 
-// A register must hold a row for that; where it does not, lanes are as good.
-template <class T, int N, bool> struct choose_interleaved {
-    using type = scattered_stream<T, N>;
-};
-#if !defined(MOTORWAY_ISA_scalar)
-template <class T, int N> struct choose_interleaved<T, N, true> {
-    using type = interleaved_rows<T, N>;
-};
-#endif
+// ------------------------------------------------------------------------------------------------ choices
+
+#if defined(MOTORWAY_ISA_scalar) // one element a register: nothing to transpose
+template <class T, int N> using interleaved_stream = scattered_stream<T, N>;
+template <class T, int N> using packed_stream = packed_registers<T, N>;
+#else
+// Rows must fit into a register; where they do not, lanes are as good.
+template <class T> constexpr bool has_rows = rows<std::remove_const_t<T>> > 0;
 template <class T, int N>
-using interleaved_stream = typename choose_interleaved<T, N, (width<std::remove_const_t<T>> >= 4)>::type;
+using interleaved_stream = std::conditional_t<has_rows<T>, interleaved_rows<T, N>, scattered_stream<T, N>>;
+// Whole rows of four are transposed at less cost than by permutes, except where every permute is one instruction.
+template <class T, int N>
+using packed_stream = std::conditional_t<N % 4 == 0 && has_rows<T> && !permutes_are_cheap, interleaved_rows<T, N>,
+                                         packed_transposed<T, N>>;
+#endif
 
 // --------------------------------------------------------------------------------------------------- any
 

@@ -65,20 +65,24 @@ template <class K, class T, template <class, int> class Stream> MOTORWAY_LOOP vo
 // of the operations is that of the body, so the bits are the same.
 template <class K, class T> class packed_affine_map {
     using V = vector<T>;
-    static constexpr int W = width<T>;
+    static constexpr int W = width<T>, G = group<T>;
     static constexpr bool translates = K::constant_size == 12;
     V matrix[3][3]; // [register][column]
     V translation[3];
 
     // The coefficients of column C in register R: those of the row that each lane belongs to. Column 3 translates.
     template <int R, int C> struct coefficient {
-        static constexpr int of(int lane) { return C == 3 ? 9 + (W * R + lane) % 3 : (W * R + lane) % 3 * 3 + C; }
+        static constexpr int of(int lane)
+        {
+            const int row = (G * R + lane % G) % 3;
+            return C == 3 ? 9 + row : 3 * row + C;
+        }
     };
     template <int R, int C, int... J> static V repeat(const T *constant, std::integer_sequence<int, J...> lanes)
     {
         if constexpr (W >= 4) {
             const V r[] = {load(constant), load(constant + (W < 16 ? W : 0)), load(constant + (W < 8 ? 2 * W : 0))};
-            return pick3<coefficient<R, C>>(r, lanes);
+            return pick3<coefficient<R, C>, W>(r, lanes);
         } else
             return from_lanes<T>(constant[coefficient<R, C>::of(J)]...);
     }
@@ -92,9 +96,9 @@ template <class K, class T> class packed_affine_map {
     }
     template <int R> V map_register(const V *in) const
     {
-        const V x = pick3<component_in_triples<R, 0, W>>(in, lanes_of<W>{});
-        const V y = pick3<component_in_triples<R, 1, W>>(in, lanes_of<W>{});
-        const V z = pick3<component_in_triples<R, 2, W>>(in, lanes_of<W>{});
+        const V x = pick3<component_in_triples<R, 0, G>, G>(in, lanes_of<W>{});
+        const V y = pick3<component_in_triples<R, 1, G>, G>(in, lanes_of<W>{});
+        const V z = pick3<component_in_triples<R, 2, G>, G>(in, lanes_of<W>{});
         const V first = translates ? fma(matrix[R][0], x, translation[R]) : matrix[R][0] * x;
         return fma(matrix[R][2], z, fma(matrix[R][1], y, first));
     }
@@ -169,20 +173,14 @@ template <class K, class T> void run(const call<T> &c)
 
 // --------------------------------------------------------------------------------------------------- blends
 
-// The k-th weights of a batch, or the k-th controls: streams whose number is known at run time only.
-template <class T> inline stream<const T> weights_of_term(const call<T> &c, std::size_t k)
-{
-    return {c.in[0].component + k, c.in[0].stride, c.in[0].kind};
-}
-
-// One block of up to `width` blended elements. `load` and `load_partial` differ in the loads alone.
-template <class K, class T, class Load> inline void blend_block(const call<T> &c, const Load &load_term, vector<T> *sum)
+// Σk weight k · control k for one block of elements. `load_term(k, v)` fills v with a weight and a control.
+template <class K, class T, class Load> inline void blend_block(std::size_t terms, const Load &load_term, vector<T> *sum)
 {
     using V = vector<T>;
     constexpr int N = K::output_size;
     for (int n = 0; n < N; ++n)
         sum[n] = V(T(0));
-    for (std::size_t k = 0; k < c.terms; ++k) {
+    for (std::size_t k = 0; k < terms; ++k) {
         V in[N + 1 + N]; // the sum so far, a weight, a control
         for (int n = 0; n < N; ++n)
             in[n] = sum[n];
@@ -191,56 +189,79 @@ template <class K, class T, class Load> inline void blend_block(const call<T> &c
     }
 }
 
-// The controls are the same for all elements.
-template <class K, class T> MOTORWAY_LOOP void run_blend_shared(const call<T> &c)
+// A blend with given readers. Controls is shared_controls or a stream.
+template <class K, class T, template <class, int> class Weights, template <class, int> class Controls>
+MOTORWAY_LOOP void run_blend(const call<T> &c)
 {
     using V = vector<T>;
     constexpr int N = K::output_size;
     const any_stream<T, N> out(c.out);
-    const auto broadcast_control = [&](std::size_t k, V *control) {
-        for (int n = 0; n < N; ++n)
-            control[n] = V(c.fixed[N * k + n]);
+    const auto weights = [&](std::size_t k) {
+        return Weights<const T, 1>({c.in[0].component + k, c.in[0].stride, c.in[0].kind});
     };
+    const auto controls = [&](std::size_t k) { return Controls<const T, N>(c, k); };
     V sum[N];
     std::size_t i = 0;
     for (; c.count - i >= width<T>; i += width<T>) {
-        blend_block<K>(c, [&](std::size_t k, V *in) {
-            any_stream<const T, 1>(weights_of_term(c, k)).load(i, in);
-            broadcast_control(k, in + 1);
-        }, sum);
+        blend_block<K, T>(
+            c.terms, [&](std::size_t k, V *v) { weights(k).load(i, v), controls(k).load(i, v + 1); }, sum);
         out.store(i, sum);
     }
     if (const int left = static_cast<int>(c.count - i)) {
-        blend_block<K>(c, [&](std::size_t k, V *in) {
-            any_stream<const T, 1>(weights_of_term(c, k)).load_partial(i, left, in);
-            broadcast_control(k, in + 1);
-        }, sum);
+        blend_block<K, T>(
+            c.terms,
+            [&](std::size_t k, V *v) {
+                weights(k).load_partial(i, left, v), controls(k).load_partial(i, left, v + 1);
+            },
+            sum);
         out.store_partial(i, left, sum);
     }
 }
 
-// Every element has controls of its own.
-template <class K, class T> MOTORWAY_LOOP void run_blend_each(const call<T> &c)
+// The k-th control, the same for every element.
+template <class T, int N> class shared_controls {
+    using V = vector<std::remove_const_t<T>>;
+    T *control;
+
+public:
+    shared_controls(const call<std::remove_const_t<T>> &c, std::size_t k) : control(c.fixed + N * k) {}
+    void load(std::size_t, V *v) const
+    {
+        for (int n = 0; n < N; ++n)
+            v[n] = V(control[n]);
+    }
+    void load_partial(std::size_t i, int, V *v) const { load(i, v); }
+};
+
+// The k-th controls, one an element.
+template <template <class, int> class Stream> struct own_controls {
+    template <class T, int N> struct type : Stream<T, N> {
+        type(const call<std::remove_const_t<T>> &c, std::size_t k) : Stream<T, N>(c.in[1 + k]) {}
+    };
+};
+
+template <class K, class T> void run_blend_shared(const call<T> &c)
 {
-    using V = vector<T>;
-    constexpr int N = K::output_size;
-    const any_stream<T, N> out(c.out);
-    V sum[N];
-    std::size_t i = 0;
-    for (; c.count - i >= width<T>; i += width<T>) {
-        blend_block<K>(c, [&](std::size_t k, V *in) {
-            any_stream<const T, 1>(weights_of_term(c, k)).load(i, in);
-            any_stream<const T, N>(c.in[1 + k]).load(i, in + 1);
-        }, sum);
-        out.store(i, sum);
-    }
-    if (const int left = static_cast<int>(c.count - i)) {
-        blend_block<K>(c, [&](std::size_t k, V *in) {
-            any_stream<const T, 1>(weights_of_term(c, k)).load_partial(i, left, in);
-            any_stream<const T, N>(c.in[1 + k]).load_partial(i, left, in + 1);
-        }, sum);
-        out.store_partial(i, left, sum);
-    }
+    if (c.in[0].kind == layout::soa)
+        return run_blend<K, T, soa_stream, shared_controls>(c);
+    run_blend<K, T, any_stream, shared_controls>(c);
+}
+
+template <class T> inline bool all_controls_are(const call<T> &c, layout kind)
+{
+    for (std::size_t k = 1; k <= c.terms; ++k)
+        if (c.in[k].kind != kind)
+            return false;
+    return true;
+}
+
+template <class K, class T> void run_blend_each(const call<T> &c)
+{
+    if (c.in[0].kind == layout::soa && all_controls_are(c, layout::soa))
+        return run_blend<K, T, soa_stream, own_controls<soa_stream>::template type>(c);
+    if (c.in[0].kind == layout::soa && all_controls_are(c, layout::packed))
+        return run_blend<K, T, soa_stream, own_controls<packed_stream>::template type>(c);
+    run_blend<K, T, any_stream, own_controls<any_stream>::template type>(c);
 }
 
 } // namespace

@@ -104,6 +104,20 @@ template <class T, class A> inline xsimd::batch<T, A> negate(const xsimd::batch<
 inline float sqrt(float a) { return __builtin_sqrtf(a); }
 inline double sqrt(double a) { return __builtin_sqrt(a); }
 
+// Whether any lanes of two registers come together in one instruction.
+#if defined(MOTORWAY_ISA_avx512)
+constexpr bool permutes_are_cheap = true;
+#else
+constexpr bool permutes_are_cheap = false;
+#endif
+
+// Lanes that shuffles move among themselves at little cost.
+#if defined(MOTORWAY_ISA_avx2)
+template <class T> constexpr int group = 16 / static_cast<int>(sizeof(T));
+#else
+template <class T> constexpr int group = width<T>;
+#endif
+
 // ------------------------------------------------------------------------------------------ loads and stores
 //
 // Pointers need no alignment. A partial load reads the first n lanes (0 <= n < width) and fills the others with
@@ -124,11 +138,38 @@ template <class T> inline T load(const T *from) { return read<T>(from); }
 template <class T> inline void store(T *to, T value) { write(to, value); }
 template <class T> inline T load_partial(const T *, int) { return T(1); } // no lane is ever left over
 template <class T> inline void store_partial(T *, T, int) {}
+template <class T> inline T load_groups(const T *from, int) { return read<T>(from); }
+template <class T> inline void store_groups(T *to, T value, int) { write(to, value); }
 
 #else
 
 template <class T> inline vector<T> load(const T *from) { return vector<T>::load_unaligned(from); }
 template <class T> inline void store(T *to, const vector<T> &value) { value.store_unaligned(to); }
+
+// The groups of a register from, and to, memory at a distance of `step` scalars.
+#if defined(MOTORWAY_ISA_avx2)
+inline floats load_groups(const float *from, int step)
+{
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(from)), _mm_loadu_ps(from + step), 1);
+}
+inline doubles load_groups(const double *from, int step)
+{
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(from)), _mm_loadu_pd(from + step), 1);
+}
+inline void store_groups(float *to, const floats &value, int step)
+{
+    _mm_storeu_ps(to, _mm256_castps256_ps128(value));
+    _mm_storeu_ps(to + step, _mm256_extractf128_ps(value, 1));
+}
+inline void store_groups(double *to, const doubles &value, int step)
+{
+    _mm_storeu_pd(to, _mm256_castpd256_pd128(value));
+    _mm_storeu_pd(to + step, _mm256_extractf128_pd(value, 1));
+}
+#else // one group a register
+template <class T> inline vector<T> load_groups(const T *from, int) { return load(from); }
+template <class T> inline void store_groups(T *to, const vector<T> &value, int) { store(to, value); }
+#endif
 
 #if defined(MOTORWAY_ISA_avx512)
 

@@ -1,7 +1,9 @@
 // Between packed elements and one register a component, in registers.
 //
-// Registers are numbered through: lane j of register r is position r width + j. Packed elements of N components have
-// component c of element e at position N e + c; the transposed form has it at position c width + e.
+// Shuffles that stay within groups of lanes are much cheaper than others on some instruction sets. So a register is
+// seen as groups of `group` lanes, and every group is transposed for itself: position p of a group is lane p % group
+// of that group in register p / group. Packed elements of N components have component c of a group's element e at
+// position N e + c; the transposed form has it at position c group + e.
 #pragma once
 
 #include "simd.h"
@@ -14,19 +16,21 @@ namespace {
 
 template <int Width> using lanes_of = std::make_integer_sequence<int, Width>;
 
-// A register whose lane j is position `Position::of(j)` of three registers.
-template <class Position, class V, int... J> inline V pick3(const V *r, std::integer_sequence<int, J...>)
+// A register whose groups have position `Position::of(lane of the group)` of three registers.
+template <class Position, int G, class V, int... J> inline V pick3(const V *r, std::integer_sequence<int, J...>)
 {
     constexpr int W = sizeof...(J);
-    constexpr bool uses_first = ((Position::of(J) < W) || ...);
-    constexpr bool uses_last = ((Position::of(J) >= 2 * W) || ...);
+    constexpr bool uses_first = ((Position::of(J % G) < G) || ...);
+    constexpr bool uses_last = ((Position::of(J % G) >= 2 * G) || ...);
+    // Where position p of lane j's group is in the concatenation of two registers, the first of which starts at p = 0.
+    constexpr auto lane = [](int j, int p) { return p / G * W + j / G * G + p % G; };
     if constexpr (!uses_last)
-        return shuffle<Position::of(J)...>(r[0], r[1]);
+        return shuffle<lane(J, Position::of(J % G))...>(r[0], r[1]);
     else if constexpr (!uses_first)
-        return shuffle<(Position::of(J) - W)...>(r[1], r[2]);
+        return shuffle<lane(J, Position::of(J % G) - G)...>(r[1], r[2]);
     else {
-        const V front = shuffle<(Position::of(J) < 2 * W ? Position::of(J) : -1)...>(r[0], r[1]);
-        return shuffle<(Position::of(J) < 2 * W ? J : Position::of(J) - W)...>(front, r[2]);
+        const V front = shuffle<(Position::of(J % G) < 2 * G ? lane(J, Position::of(J % G)) : -1)...>(r[0], r[1]);
+        return shuffle<(Position::of(J % G) < 2 * G ? J : lane(J, Position::of(J % G) - G))...>(front, r[2]);
     }
 }
 
@@ -36,28 +40,28 @@ template <int C> struct component_of_triple {
 };
 
 // Register R of packed triples, from three registers that hold a component each.
-template <int R, int Width> struct triple_of_components {
-    static constexpr int of(int lane) { return (Width * R + lane) % 3 * Width + (Width * R + lane) / 3; }
+template <int R, int G> struct triple_of_components {
+    static constexpr int of(int lane) { return (G * R + lane) % 3 * G + (G * R + lane) / 3; }
 };
 
 // In register R of packed triples: component C of the triple that each lane belongs to.
-template <int R, int C, int Width> struct component_in_triples {
-    static constexpr int of(int lane) { return (Width * R + lane) / 3 * 3 + C; }
+template <int R, int C, int G> struct component_in_triples {
+    static constexpr int of(int lane) { return (G * R + lane) / 3 * 3 + C; }
 };
 
-template <class V, int W> inline void unpack3(V *r)
+template <class V, int W, int G> inline void unpack3(V *r)
 {
-    const V x = pick3<component_of_triple<0>>(r, lanes_of<W>{});
-    const V y = pick3<component_of_triple<1>>(r, lanes_of<W>{});
-    const V z = pick3<component_of_triple<2>>(r, lanes_of<W>{});
+    const V x = pick3<component_of_triple<0>, G>(r, lanes_of<W>{});
+    const V y = pick3<component_of_triple<1>, G>(r, lanes_of<W>{});
+    const V z = pick3<component_of_triple<2>, G>(r, lanes_of<W>{});
     r[0] = x, r[1] = y, r[2] = z;
 }
 
-template <class V, int W> inline void pack3(V *r)
+template <class V, int W, int G> inline void pack3(V *r)
 {
-    const V a = pick3<triple_of_components<0, W>>(r, lanes_of<W>{});
-    const V b = pick3<triple_of_components<1, W>>(r, lanes_of<W>{});
-    const V c = pick3<triple_of_components<2, W>>(r, lanes_of<W>{});
+    const V a = pick3<triple_of_components<0, G>, G>(r, lanes_of<W>{});
+    const V b = pick3<triple_of_components<1, G>, G>(r, lanes_of<W>{});
+    const V c = pick3<triple_of_components<2, G>, G>(r, lanes_of<W>{});
     r[0] = a, r[1] = b, r[2] = c;
 }
 
@@ -114,19 +118,20 @@ template <class V, int... J> inline void transpose_groups(V *r, std::integer_seq
     r[3] = shuffle<(J / 4 * 4 + 2 + J % 2 + J % 4 / 2 * W)...>(c, d);
 }
 
-// N registers of packed elements into one register a component, and back.
-template <int N, class V, int W> inline void unpack(V *r)
+// N registers of packed elements into one register a component, and back. Powers of two take whole registers as
+// their groups.
+template <int N, class V, int W, int G> inline void unpack(V *r)
 {
     if constexpr (N == 3)
-        unpack3<V, W>(r);
+        unpack3<V, W, G>(r);
     else
         unpack_power_of_two<N, V, W>(r);
 }
 
-template <int N, class V, int W> inline void pack(V *r)
+template <int N, class V, int W, int G> inline void pack(V *r)
 {
     if constexpr (N == 3)
-        pack3<V, W>(r);
+        pack3<V, W, G>(r);
     else
         pack_power_of_two<N, V, W>(r);
 }
