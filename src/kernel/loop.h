@@ -41,15 +41,16 @@ template <class K, class T, template <class, int> class Stream> MOTORWAY_LOOP vo
     const Stream<const T, M ? M : N> second(c.in[M ? 1 : 0]);
     const Stream<T, K::output_size> out(c.out);
     V in[N + M], result[K::output_size];
+    const std::size_t count = c.count; // a store could change the original for all that the compiler knows
     std::size_t i = 0;
-    for (; c.count - i >= width<T>; i += width<T>) {
+    for (; count - i >= width<T>; i += width<T>) {
         first.load(i, in);
         if constexpr (M > 0)
             second.load(i, in + N);
         run_body<K>(constant, in, result);
         out.store(i, result);
     }
-    if (const int left = static_cast<int>(c.count - i)) {
+    if (const int left = static_cast<int>(count - i)) {
         first.load_partial(i, left, in);
         if constexpr (M > 0)
             second.load_partial(i, left, in + N);
@@ -126,13 +127,14 @@ template <class K, class T> MOTORWAY_LOOP void run_packed_affine(const call<T> &
     const packed_registers<const T, 3> from(c.in[0]);
     const packed_registers<T, 3> to(c.out);
     vector<T> in[3], out[3];
+    const std::size_t count = c.count;
     std::size_t i = 0;
-    for (; c.count - i >= width<T>; i += width<T>) {
+    for (; count - i >= width<T>; i += width<T>) {
         from.load(i, in);
         affine.map(in, out);
         to.store(i, out);
     }
-    if (const int left = static_cast<int>(c.count - i)) {
+    if (const int left = static_cast<int>(count - i)) {
         from.load_partial(i, left, in);
         affine.map(in, out);
         to.store_partial(i, left, out);
@@ -201,13 +203,14 @@ MOTORWAY_LOOP void run_blend(const call<T> &c)
     };
     const auto controls = [&](std::size_t k) { return Controls<const T, N>(c, k); };
     V sum[N];
+    const std::size_t count = c.count;
     std::size_t i = 0;
-    for (; c.count - i >= width<T>; i += width<T>) {
+    for (; count - i >= width<T>; i += width<T>) {
         blend_block<K, T>(
             c.terms, [&](std::size_t k, V *v) { weights(k).load(i, v), controls(k).load(i, v + 1); }, sum);
         out.store(i, sum);
     }
-    if (const int left = static_cast<int>(c.count - i)) {
+    if (const int left = static_cast<int>(count - i)) {
         blend_block<K, T>(
             c.terms,
             [&](std::size_t k, V *v) {
