@@ -28,11 +28,25 @@ mw_status check_call(unsigned flags, unsigned known_flags)
     return flags & ~known_flags ? MW_ERROR_FLAGS : MW_OK;
 }
 
+// The views of a call, of one input or of two.
 template <class T, int N, int M>
 mw_status check_views(const view<T, N> &out, const view<const T, M> &in, std::size_t count)
 {
+    if (is_usual(out, usual_range(out, count), in, count))
+        return MW_OK;
     return first_error(check_view(out, count), [&] { return check_view(in, count); },
                        [&] { return check_overlap(out, in, count); });
+}
+template <class T, int N, int M, int L>
+mw_status check_views(const view<T, N> &out, const view<const T, M> &first, const view<const T, L> &second,
+                      std::size_t count)
+{
+    const byte_range range = usual_range(out, count);
+    if (is_usual(out, range, first, count) && is_usual(out, range, second, count))
+        return MW_OK;
+    return first_error(
+        check_view(out, count), [&] { return check_view(first, count); }, [&] { return check_view(second, count); },
+        [&] { return check_overlap(out, first, count); }, [&] { return check_overlap(out, second, count); });
 }
 
 template <class T>
@@ -42,11 +56,10 @@ mw_status apply_one(kernel_id id, const view<T, 3> &out, const T *motor, const v
     const mw_status called = check_call(flags, MW_UNIT_MOTORS);
     if (called != MW_OK || count == 0)
         return called;
-    mw_status status = check_array(motor, 8);
-    if (status == MW_OK && !are_surely_fine(out, in, count))
-        status = check_views(out, in, count);
-    status = first_error(status, [&] { return check_overlap(out, motor, 8, count); },
-                         [&] { return is_degenerate(motor) ? MW_ERROR_DEGENERATE_MOTOR : MW_OK; });
+    const mw_status status =
+        first_error(check_array(motor, 8), [&] { return check_views(out, in, count); },
+                    [&] { return check_overlap(out, motor, 8, count); },
+                    [&] { return is_degenerate(motor) ? MW_ERROR_DEGENERATE_MOTOR : MW_OK; });
     if (status != MW_OK)
         return status;
     const stream<const T> in_stream = in.as_stream();
@@ -60,7 +73,7 @@ mw_status stream_one(kernel_id id, const view<T, N> &out, const view<const T, M>
     const mw_status called = check_call(MW_DEFAULT, MW_DEFAULT);
     if (called != MW_OK || count == 0)
         return called;
-    const mw_status status = are_surely_fine(out, in, count) ? MW_OK : check_views(out, in, count);
+    const mw_status status = check_views(out, in, count);
     if (status != MW_OK)
         return status;
     const stream<const T> in_stream = in.as_stream();
@@ -74,14 +87,9 @@ mw_status stream_two(kernel_id id, const view<T, N> &out, const view<const T, M>
     const mw_status called = check_call(MW_DEFAULT, MW_DEFAULT);
     if (called != MW_OK || count == 0)
         return called;
-    if (!are_surely_fine(out, first, count) || !are_surely_fine(out, second, count)) {
-        const mw_status status = first_error(
-            check_view(out, count), [&] { return check_view(first, count); },
-            [&] { return check_view(second, count); }, [&] { return check_overlap(out, first, count); },
-            [&] { return check_overlap(out, second, count); });
-        if (status != MW_OK)
-            return status;
-    }
+    const mw_status status = check_views(out, first, second, count);
+    if (status != MW_OK)
+        return status;
     const stream<const T> in[] = {first.as_stream(), second.as_stream()};
     return run<T>(id, {out.as_stream(), in, nullptr, 0, count});
 }

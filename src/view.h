@@ -55,10 +55,6 @@ template <class T, class Motors> view<T, 8> view_of_motors(const Motors &v)
 // ------------------------------------------------------------------------------------------------ shared bytes
 
 template <class T> std::uintptr_t address(const T *pointer) { return reinterpret_cast<std::uintptr_t>(pointer); }
-template <class T> std::uintptr_t distance(const T *a, const T *b)
-{
-    return address(a) < address(b) ? address(b) - address(a) : address(a) - address(b);
-}
 
 // Scalars of `size` bytes at a + i stride and at b + j stride, for i, j < count: is a byte common to two? Every call
 // of the library asks this several times, so the two usual answers cost no division.
@@ -130,6 +126,15 @@ template <class T> mw_status check_array(const T *array, std::size_t count)
     return MW_OK;
 }
 
+// One view in two roles.
+template <class T, int N, int M> bool is_same(const view<T, N> &out, const view<const T, M> &in)
+{
+    bool same = N == M && out.stride == in.stride;
+    for (int c = 0; c < N && same; ++c)
+        same = out.component[c] == in.component[c];
+    return same;
+}
+
 // MW_OK if `in` and `out` have no byte in common or are the same view.
 template <class T, int N, int M>
 mw_status check_overlap(const view<T, N> &out, const view<const T, M> &in, std::size_t count)
@@ -138,10 +143,7 @@ mw_status check_overlap(const view<T, N> &out, const view<const T, M> &in, std::
         return MW_OK;
     if (out.stride != in.stride)
         return MW_ERROR_OVERLAP; // their ranges meet, and so may their elements
-    bool same = N == M;
-    for (int c = 0; c < N && same; ++c)
-        same = out.component[c] == in.component[c];
-    if (same)
+    if (is_same(out, in))
         return MW_OK;
     for (const T *a : out.component)
         for (const T *b : in.component)
@@ -157,35 +159,34 @@ mw_status check_overlap(const view<T, N> &out, const Item *array, std::size_t it
     return range_of(out, count).meets(range_of(array, items)) ? MW_ERROR_OVERLAP : MW_OK;
 }
 
-// A few instructions that see for most calls that all the checks above would pass: streams of adjacent components, or
-// of one array a component, that are clearly apart from each other and from the ends of the address space. Small
-// batches would otherwise pay more for their checks than for their work.
-template <class T, int N> bool is_surely_fine(const view<T, N> &v, std::size_t count)
+// Small batches would pay more for these checks than for their work. So a few instructions look whether a call is one
+// of the usual ones, which all of the checks above would pass; only others are checked in full.
+
+// The bytes of a view of adjacent components, or of one array a component in ascending order, that share none and
+// are far from the ends of the address space. Empty if it is not clearly such a view.
+template <class T, int N> byte_range usual_range(const view<T, N> &v, std::size_t count)
 {
-    constexpr std::size_t largest = std::size_t(1) << 31, lowest = 4096;
-    bool fine = v.stride < largest && count < largest;
+    constexpr std::size_t large = std::size_t(1) << 31, lowest = 4096, highest = UINTPTR_MAX / 2;
+    const std::uintptr_t begin = address(v.component[0]), last = address(v.component[N - 1]);
+    const std::size_t extent = count * v.stride;
+    bool usual = v.stride < large && count < large && begin >= lowest && last < highest;
     if (v.stride == sizeof(T)) {
-        for (int a = 0; a < N; ++a)
-            for (int b = a + 1; b < N; ++b)
-                fine &= distance(v.component[a], v.component[b]) >= count * sizeof(T);
-    } else
-        fine &= v.stride >= N * sizeof(T) && v.is_adjacent();
-    for (const T *base : v.component)
-        fine &= address(base) - lowest < UINTPTR_MAX / 2;
-    return fine;
+        for (int c = 1; c < N; ++c)
+            usual &= address(v.component[c]) >= address(v.component[c - 1]) + extent;
+        return usual ? byte_range{begin, last + extent} : byte_range{0, 0};
+    }
+    usual &= v.stride >= N * sizeof(T) && v.is_adjacent();
+    return usual ? byte_range{begin, begin + extent} : byte_range{0, 0};
 }
+
+// The output may be the input itself.
 template <class T, int N, int M>
-bool are_surely_fine(const view<T, N> &out, const view<const T, M> &in, std::size_t count)
+bool is_usual(const view<T, N> &out, const byte_range &out_range, const view<const T, M> &in, std::size_t count)
 {
-    if (!is_surely_fine(out, count) || !is_surely_fine(in, count))
+    const byte_range in_range = usual_range(in, count);
+    if (out_range.end == 0 || in_range.end == 0)
         return false;
-    if (!range_of(out, count).meets(range_of(in, count)))
-        return true;
-    bool apart = out.stride == sizeof(T) && in.stride == sizeof(T);
-    for (const T *a : out.component)
-        for (const T *b : in.component)
-            apart &= distance(a, b) >= count * sizeof(T);
-    return apart;
+    return !out_range.meets(in_range) || is_same(out, in);
 }
 
 // The first status of several that is not MW_OK. Later arguments are functions, so that a check may rely on those
