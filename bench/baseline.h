@@ -17,7 +17,7 @@
 namespace motorway::bench {
 
 template <class T> struct baseline {
-    std::string library; // "eigen"
+    std::string name; // "eigen"
     std::function<work(const problem<T> &)> bind;
 };
 

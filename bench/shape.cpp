@@ -26,7 +26,7 @@ std::vector<contestant> contestants(const shape<T> &shape, const problem<T> &pro
     for (const std::string &isa : settings.isas)
         offer(shape.kernel_name(isa), isa, [&](const auto &p) { return shape.row.bind(p); });
     for (const auto &baseline : baselines<T>())
-        offer(shape.baseline_name(baseline.library), "", baseline.bind);
+        offer(shape.baseline_name(baseline.name), "", baseline.bind);
     return found;
 }
 
@@ -37,7 +37,7 @@ template <class T> bool is_wanted(const shape<T> &shape, const suite_settings &s
     return std::any_of(isas.begin(), isas.end(),
                        [&](const std::string &isa) { return settings.filter.matches(shape.kernel_name(isa)); }) ||
            std::any_of(rivals.begin(), rivals.end(), [&](const baseline<T> &rival) {
-               return settings.filter.matches(shape.baseline_name(rival.library));
+               return settings.filter.matches(shape.baseline_name(rival.name));
            });
 }
 

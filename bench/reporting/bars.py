@@ -44,7 +44,7 @@ def _best(rows: Iterable[Row]) -> Optional[Row]:
 def _plain(results: Results, kernel: str, layout: str, count: int, flags: Optional[str] = None) -> Optional[Row]:
     """The best plain loop, of any compiler, at some flags or at any."""
     return _best(row for row in results.baselines(kernel, layout, "f32", count)
-                 if row.library.startswith("plain-") and flags in (None, row.library.split("-", 2)[2]))
+                 if row.rival.startswith("plain-") and flags in (None, row.rival.split("-", 2)[2]))
 
 
 def _ours(results: Results, kernel: str, layout: str, count: int, precision: str = "f32",
@@ -52,11 +52,11 @@ def _ours(results: Results, kernel: str, layout: str, count: int, precision: str
     return results.find(kernel, layout, precision, count, isa or results.isas[0])
 
 
-def _ratio(ours: Optional[Row], rival: Optional[Row], asked: float, against: str) -> Optional[Bar]:
-    if not ours or not rival:
+def _ratio(ours: Optional[Row], other: Optional[Row], asked: float, against: str) -> Optional[Bar]:
+    if not ours or not other:
         return None
-    return Bar(ours.name, against, asked, ours.items_per_second / rival.items_per_second,
-               rival.library or "")
+    return Bar(ours.name, against, asked, ours.items_per_second / other.items_per_second,
+               other.rival or "")
 
 
 def _part(row: Optional[Row], seconds: Optional[float], asked: float, against: str) -> Optional[Bar]:
@@ -100,7 +100,7 @@ def _one_beyond_caches(results: Results):
 
 def _each_soa(results: Results):
     ours = _ours(results, "apply_point_each", "soa", 1024)
-    rivals = (results.find("apply_point_each", layout, "f32", 1024, library="eigen") for layout in ("aos", "soa"))
+    rivals = (results.find("apply_point_each", layout, "f32", 1024, rival="eigen") for layout in ("aos", "soa"))
     yield _ratio(ours, _best(row for row in rivals if row), 1.6, "Eigen, the better of aos and soa")
     yield _part(ours, results.fma_seconds(ours) if ours else None, 0.8, "limit_fma")
 

@@ -107,8 +107,8 @@ def _best_baselines(results: Results, kernel: str, layout: str, precision: str, 
     """The best at every count."""
     best: Dict[int, Row] = {}
     for row in results.rows:
-        if row.library and (row.kernel, row.layout, row.precision) == (kernel, layout, precision) and \
-                row.library.startswith("plain-") == plain:
+        if row.rival and (row.kernel, row.layout, row.precision) == (kernel, layout, precision) and \
+                row.rival.startswith("plain-") == plain:
             if row.count not in best or best[row.count].items_per_second < row.items_per_second:
                 best[row.count] = row
     return [best[count] for count in sorted(best)]
@@ -176,11 +176,11 @@ def _competitors(results: Results, ours: List[Row], kernel: str, layout: str, pr
 
 def _bar_panel(axis, results: Results, rows: List[Row], title: str) -> None:
     rates = [row.items_per_second / 1e9 for row in rows]
-    colours = [ISA_COLOURS.get(row.isa, INK) if row.isa else PLAIN if row.library.startswith("plain-") else LIBRARY
+    colours = [ISA_COLOURS.get(row.isa, INK) if row.isa else PLAIN if row.rival.startswith("plain-") else LIBRARY
                for row in rows]
     axis.barh(range(len(rows)), rates, color=colours, height=0.72)
     axis.set_yticks(range(len(rows)))
-    axis.set_yticklabels([f"motorway {row.isa}" if row.isa else row.library for row in rows])
+    axis.set_yticklabels([f"motorway {row.isa}" if row.isa else row.rival for row in rows])
     for label, row in zip(axis.get_yticklabels(), rows):
         label.set_fontweight("bold" if row.isa else "normal")
     for place, rate in enumerate(rates):

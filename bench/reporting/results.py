@@ -9,7 +9,7 @@ from typing import Dict, List, Optional, Tuple
 
 KERNEL = re.compile(r"(?P<kernel>[a-z]+_[a-z]+_[a-z]+(?:-unit)?)/(?P<layout>aos\d*|soa)/(?P<precision>f\d+)/"
                     r"(?P<isa>[a-z0-9]+)/(?P<count>\d+)(?:/real_time/threads:(?P<threads>\d+))?$")
-BASELINE = re.compile(r"baseline_(?P<library>[^/]+)/(?P<kernel>[^/]+)/(?P<layout>[^/]+)/(?P<precision>[^/]+)/"
+BASELINE = re.compile(r"baseline_(?P<rival>[^/]+)/(?P<kernel>[^/]+)/(?P<layout>[^/]+)/(?P<precision>[^/]+)/"
                       r"(?P<count>\d+)$")
 MEMORY_LIMIT = re.compile(r"limit_(?P<kind>copy|fill|read)/[^/]+/(?P<bytes>\d+)$")
 FMA_LIMIT = re.compile(r"limit_fma/(?P<precision>[^/]+)/(?P<isa>[^/]+)$")
@@ -21,14 +21,14 @@ class ResultsError(Exception):
 
 @dataclass(frozen=True)
 class Row:
-    """A kernel on an instruction set (library is None) or a baseline (isa is None): medians."""
+    """A kernel on an instruction set (rival is None) or a baseline (isa is None): medians."""
     name: str
     kernel: str
     layout: str
     precision: str
     count: int
     isa: Optional[str]
-    library: Optional[str]
+    rival: Optional[str]
     threads: int
     items_per_second: float
     bytes_per_second: float
@@ -103,20 +103,20 @@ class Results:
                 if cache["type"] in ("Data", "Unified")]
 
     def find(self, kernel: str, layout: str, precision: str, count: int, isa: Optional[str] = None,
-             library: Optional[str] = None, threads: int = 1) -> Optional[Row]:
-        wanted = (kernel, layout, precision, count, isa, library, threads)
+             rival: Optional[str] = None, threads: int = 1) -> Optional[Row]:
+        wanted = (kernel, layout, precision, count, isa, rival, threads)
         return self._index().get(wanted)
 
     def _index(self) -> Dict[tuple, Row]:
         if not hasattr(self, "_rows_by_key"):
-            self._rows_by_key = {(row.kernel, row.layout, row.precision, row.count, row.isa, row.library,
+            self._rows_by_key = {(row.kernel, row.layout, row.precision, row.count, row.isa, row.rival,
                                   row.threads): row for row in self.rows}
         return self._rows_by_key
 
     def baselines(self, kernel: str, layout: str, precision: str, count: int) -> List[Row]:
         """Those of a variant for normalised motors are those of the kernel itself."""
         kernel = kernel.replace("-unit", "")
-        return [row for row in self.rows if row.library and (row.kernel, row.layout, row.precision, row.count) ==
+        return [row for row in self.rows if row.rival and (row.kernel, row.layout, row.precision, row.count) ==
                 (kernel, layout, precision, count)]
 
     # ------------------------------------------------------------------------------------------------- limits
@@ -173,7 +173,7 @@ def _row(name: str, parts: dict, entry: dict) -> Row:
     counters = ("items_per_second", "bytes_per_second", "bytes_read", "bytes_written", "span_read", "span_written",
                 "operations")
     return Row(name=name, kernel=parts["kernel"], layout=parts["layout"], precision=parts["precision"],
-               count=int(parts["count"]), isa=parts.get("isa"), library=parts.get("library"),
+               count=int(parts["count"]), isa=parts.get("isa"), rival=parts.get("rival"),
                threads=int(parts.get("threads") or 1), **{counter: entry[counter] for counter in counters})
 
 
