@@ -312,8 +312,8 @@ template <class T, int N> class any_stream {
     interleaved_stream<T, N> interleaved;
     scattered_stream<T, N> scattered;
 
-    // Not inlined: four layouts a stream and several streams a loop would be a lot of code for the slow path.
-    template <class Use> __attribute__((noinline)) void use(Use use_stream) const
+    // Compiled as one, but not into the loops: four layouts for each of several streams would be a lot of code.
+    template <class Use> __attribute__((noinline, flatten)) void use(Use use_stream) const
     {
         switch (kind) {
         case layout::soa: return use_stream(soa);

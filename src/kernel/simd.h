@@ -268,9 +268,13 @@ template <int Size, class T> inline vector<T> load_rows(const T *const *row)
 #elif defined(MOTORWAY_ISA_avx2)
     if constexpr (sizeof(T) == 4) {
         const __m128i mask = _mm_setr_epi32(-1, Size > 1 ? -1 : 0, Size > 2 ? -1 : 0, Size > 3 ? -1 : 0);
-        const __m256 low = _mm256_castps128_ps256(_mm_maskload_ps(row[0], mask));
-        return _mm256_insertf128_ps(low, _mm_maskload_ps(row[1], mask), 1);
-    } else
+        const auto load_row = [=](const float *from) {
+            return Size == 4 ? _mm_loadu_ps(from) : _mm_maskload_ps(from, mask);
+        };
+        return _mm256_insertf128_ps(_mm256_castps128_ps256(load_row(row[0])), load_row(row[1]), 1);
+    } else if constexpr (Size == 4)
+        return load(row[0]);
+    else
         return _mm256_maskload_pd(row[0], first_doubles(Size));
 #else
     if constexpr (Size == 4)
@@ -285,12 +289,12 @@ template <int Size, class T> inline vector<T> load_rows(const T *const *row)
 #if defined(MOTORWAY_ISA_avx512)
 // GCC would merge taking a row out of a register and its masked store into one instruction, which, unlike the store
 // alone, faults at addresses that the mask leaves out. The empty statement keeps them apart.
-inline void store_row(float *to, __mmask8 mask, __m128 row)
+inline void store_row_masked(float *to, __mmask8 mask, __m128 row)
 {
     asm("" : "+v"(row));
     _mm_mask_storeu_ps(to, mask, row);
 }
-inline void store_row(double *to, __mmask8 mask, __m256d row)
+inline void store_row_masked(double *to, __mmask8 mask, __m256d row)
 {
     asm("" : "+v"(row));
     _mm256_mask_storeu_pd(to, mask, row);
@@ -303,20 +307,25 @@ template <int Size, class T> inline void store_rows(T *const *row, const vector<
 #if defined(MOTORWAY_ISA_avx512)
     constexpr __mmask8 first = (1u << Size) - 1;
     if constexpr (sizeof(T) == 4) {
-        store_row(row[0], first, _mm512_castps512_ps128(value));
-        store_row(row[1], first, _mm512_extractf32x4_ps(value, 1));
-        store_row(row[2], first, _mm512_extractf32x4_ps(value, 2));
-        store_row(row[3], first, _mm512_extractf32x4_ps(value, 3));
+        store_row_masked(row[0], first, _mm512_castps512_ps128(value));
+        store_row_masked(row[1], first, _mm512_extractf32x4_ps(value, 1));
+        store_row_masked(row[2], first, _mm512_extractf32x4_ps(value, 2));
+        store_row_masked(row[3], first, _mm512_extractf32x4_ps(value, 3));
     } else {
-        store_row(row[0], first, _mm512_castpd512_pd256(value));
-        store_row(row[1], first, _mm512_extractf64x4_pd(value, 1));
+        store_row_masked(row[0], first, _mm512_castpd512_pd256(value));
+        store_row_masked(row[1], first, _mm512_extractf64x4_pd(value, 1));
     }
 #elif defined(MOTORWAY_ISA_avx2)
     if constexpr (sizeof(T) == 4) {
         const __m128i mask = _mm_setr_epi32(-1, Size > 1 ? -1 : 0, Size > 2 ? -1 : 0, Size > 3 ? -1 : 0);
-        _mm_maskstore_ps(row[0], mask, _mm256_castps256_ps128(value));
-        _mm_maskstore_ps(row[1], mask, _mm256_extractf128_ps(value, 1));
-    } else
+        const auto store_row = [=](float *to, __m128 lanes) {
+            Size == 4 ? _mm_storeu_ps(to, lanes) : _mm_maskstore_ps(to, mask, lanes);
+        };
+        store_row(row[0], _mm256_castps256_ps128(value));
+        store_row(row[1], _mm256_extractf128_ps(value, 1));
+    } else if constexpr (Size == 4)
+        store(row[0], value);
+    else
         _mm256_maskstore_pd(row[0], first_doubles(Size), value);
 #else
     store_partial(row[0], value, Size);
