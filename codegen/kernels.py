@@ -11,7 +11,7 @@ rationals to make golden vectors, so it may use nothing but the algebra, + - * /
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Callable, Dict, Mapping, Tuple
+from typing import Callable, Mapping, Tuple
 
 from algebra import OMEGA, Multivector, multivector, project, transform
 from elements import DIRECTION, MOTOR, POINT, Element
