@@ -70,7 +70,7 @@ template <> work bind_cglm(const problem<float> &p)
     if (p.kernel == "apply_direction_one")
         return move_by_one(p, 0);
     if (p.kernel == "apply_point_each" || p.kernel == "apply_direction_each") {
-        const auto motions = convert_motors(p.in[0], p.count, versor_and_translation_of);
+        const auto motions = convert_motors(p, versor_and_translation_of);
         const bool point = p.kernel == "apply_point_each";
         if (point)
             return move_points<vector3>(p, [=](std::size_t i, const vector3 &v) {

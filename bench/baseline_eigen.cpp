@@ -46,27 +46,49 @@ template <class T> work move_arrays(const problem<T> &p, const isometry<T> &moti
     });
 }
 
+template <class T> auto point_map(const isometry<T> &motion)
+{
+    return [motion](std::size_t, const vector3<T> &v) -> vector3<T> { return motion * v; };
+}
+
+template <class T> auto direction_map(const isometry<T> &motion)
+{
+    return [rotation = Eigen::Matrix<T, 3, 3>(motion.linear())](std::size_t, const vector3<T> &v) -> vector3<T> {
+        return rotation * v;
+    };
+}
+
+template <class T> work move_by_isometries(const problem<T> &p)
+{
+    using V = vector3<T>;
+    if (p.fixed.empty())
+        return {};
+    const auto motions = convert_motors(p, isometry_of<T>);
+    if (p.kernel == "apply_point_one")
+        return p.kind == layout::soa ? move_arrays(p, motions->front())
+                                     : move_points<V>(p, point_map(motions->front()));
+    if (p.kernel == "apply_direction_one") {
+        motions->front().translation().setZero();
+        return p.kind == layout::soa ? move_arrays(p, motions->front())
+                                     : move_points<V>(p, direction_map(motions->front()));
+    }
+    if (p.kernel == "apply_vertex_one")
+        return move_vertices<V>(p, point_map(motions->front()), direction_map(motions->front()));
+    if (p.kernel == "apply_point_grid")
+        return move_poses<V>(p, [=](std::size_t m) { return point_map((*motions)[m]); });
+    if (p.kernel == "apply_point_indexed")
+        return move_points<V>(p, [=, index = p.indices.data()](std::size_t i, const V &v) -> V {
+            return (*motions)[index[i]] * v;
+        });
+    return {};
+}
+
 } // namespace
 
 template <class T> work bind_eigen(const problem<T> &p)
 {
-    if (p.kernel == "apply_point_one" || p.kernel == "apply_direction_one") {
-        auto motion = isometry_of<T>(rigid_of(fixed_motor(p)));
-        const bool point = p.kernel == "apply_point_one";
-        if (!point)
-            motion.translation().setZero();
-        if (p.kind == layout::soa)
-            return move_arrays(p, motion);
-        if (point)
-            return move_points<vector3<T>>(p, [=](std::size_t, const vector3<T> &v) -> vector3<T> {
-                return motion * v;
-            });
-        return move_points<vector3<T>>(p, [=](std::size_t, const vector3<T> &v) -> vector3<T> {
-            return motion.linear() * v;
-        });
-    }
     if (p.kernel == "apply_point_each" || p.kernel == "apply_direction_each") {
-        const auto motions = convert_motors(p.in[0], p.count, quaternion_and_translation_of<T>);
+        const auto motions = convert_motors(p, quaternion_and_translation_of<T>);
         if (p.kernel == "apply_point_each")
             return move_points<vector3<T>>(p, [=](std::size_t i, const vector3<T> &v) -> vector3<T> {
                 const auto &motion = (*motions)[i];
@@ -76,7 +98,7 @@ template <class T> work bind_eigen(const problem<T> &p)
             return (*motions)[i].rotation * v;
         });
     }
-    return {};
+    return move_by_isometries(p);
 }
 
 template work bind_eigen(const problem<float> &);

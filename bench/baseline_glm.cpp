@@ -9,6 +9,7 @@ namespace {
 
 template <class T> using vec3 = glm::vec<3, T, glm::defaultp>;
 template <class T> using vec4 = glm::vec<4, T, glm::defaultp>;
+template <class T> using mat3 = glm::mat<3, 3, T, glm::defaultp>;
 template <class T> using mat4 = glm::mat<4, 4, T, glm::defaultp>;
 template <class T> using quaternion = glm::qua<T, glm::defaultp>;
 
@@ -34,27 +35,51 @@ template <class T> quaternion_and_translation<T> quaternion_and_translation_of(c
     return {quaternion<T>(q), vec3<T>(r.translation[0], r.translation[1], r.translation[2])};
 }
 
+template <class T> auto point_map(const mat4<T> &motion)
+{
+    return [motion](std::size_t, const vec3<T> &v) { return vec3<T>(motion * vec4<T>(v, T(1))); };
+}
+
+template <class T> auto direction_map(const mat4<T> &motion)
+{
+    return [rotation = mat3<T>(motion)](std::size_t, const vec3<T> &v) { return rotation * v; };
+}
+
+template <class T> work move_by_matrices(const problem<T> &p)
+{
+    using V = vec3<T>;
+    if (p.fixed.empty())
+        return {};
+    const auto motions = convert_motors(p, matrix_of<T>);
+    if (p.kernel == "apply_point_one")
+        return move_points<V>(p, point_map(motions->front()));
+    if (p.kernel == "apply_direction_one")
+        return move_points<V>(p, direction_map(motions->front()));
+    if (p.kernel == "apply_vertex_one")
+        return move_vertices<V>(p, point_map(motions->front()), direction_map(motions->front()));
+    if (p.kernel == "apply_point_grid")
+        return move_poses<V>(p, [=](std::size_t m) { return point_map((*motions)[m]); });
+    if (p.kernel == "apply_point_indexed")
+        return move_points<V>(p, [=, index = p.indices.data()](std::size_t i, const V &v) {
+            return V((*motions)[index[i]] * vec4<T>(v, T(1)));
+        });
+    return {};
+}
+
 } // namespace
 
 template <class T> work bind_glm(const problem<T> &p)
 {
     using V = vec3<T>;
-    if (p.kernel == "apply_point_one")
-        return move_points<V>(p, [m = matrix_of<T>(rigid_of(fixed_motor(p)))](std::size_t, const V &v) {
-            return V(m * vec4<T>(v, T(1)));
-        });
-    if (p.kernel == "apply_direction_one")
-        return move_points<V>(p, [m = glm::mat<3, 3, T, glm::defaultp>(matrix_of<T>(rigid_of(fixed_motor(p))))](
-                                     std::size_t, const V &v) { return m * v; });
     if (p.kernel == "apply_point_each" || p.kernel == "apply_direction_each") {
-        const auto motions = convert_motors(p.in[0], p.count, quaternion_and_translation_of<T>);
+        const auto motions = convert_motors(p, quaternion_and_translation_of<T>);
         if (p.kernel == "apply_point_each")
             return move_points<V>(p, [=](std::size_t i, const V &v) {
                 return (*motions)[i].rotation * v + (*motions)[i].translation;
             });
         return move_points<V>(p, [=](std::size_t i, const V &v) { return (*motions)[i].rotation * v; });
     }
-    return {};
+    return move_by_matrices(p);
 }
 
 template work bind_glm(const problem<float> &);

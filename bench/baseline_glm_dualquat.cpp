@@ -62,9 +62,17 @@ template <class T> work bind_glm_dualquat(const problem<T> &p)
     if (p.kernel == "apply_point_one")
         return move_points<V>(p, [q = convert<T>(fixed_motor(p))](std::size_t, const V &v) { return q * v; });
     if (p.kernel == "apply_point_each")
-        return move_points<V>(p, [q = convert_all(p.in[0], p.count)](std::size_t i, const V &v) {
+        return move_points<V>(p, [q = convert_all(*p.motors, p.count)](std::size_t i, const V &v) {
             return (*q)[i] * v;
         });
+    if (p.kernel == "apply_point_indexed") {
+        const auto palette = std::make_shared<std::vector<dual_quaternion<T>>>();
+        for (std::size_t k = 0; k < shared_motors; ++k)
+            palette->push_back(convert<T>(fixed_motor(p, k)));
+        return move_points<V>(p, [=, index = p.indices.data()](std::size_t i, const V &v) {
+            return (*palette)[index[i]] * v;
+        });
+    }
     if (p.kernel == "compose_motor_each" && p.kind == layout::packed)
         return compose(p);
     return {};

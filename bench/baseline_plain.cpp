@@ -1,5 +1,5 @@
 // The loops of plain.c on the data of a problem: matrices, quaternions with translations and dual quaternions are
-// made beforehand, in arrays of the same layout.
+// made beforehand; those of an element in arrays of the same layout.
 #include "baseline_plain.h"
 
 #include "rigid.h"
@@ -10,29 +10,42 @@
 namespace motorway::bench {
 namespace {
 
-template <class T> using loop = std::conditional_t<sizeof(T) == sizeof(float), plain_loop_f32, plain_loop_f64>;
+// The members of a table by precision.
+template <class T, class M> struct plain;
+#define MOTORWAY_PLAIN_PRECISION(T, M, precision, LOOPS)                                                             \
+    template <> struct plain<T, M> {                                                                                 \
+        using arguments = plain_arguments_##precision;                                                               \
+        using loop = plain_loop_##precision;                                                                         \
+        static loop columns(const plain_table &table) { return table.columns_##precision; }                          \
+        static const plain_layouts_##precision *find(const plain_table &table, const std::string &kernel)            \
+        {                                                                                                            \
+            LOOPS(MOTORWAY_FIND_##precision)                                                                         \
+            return nullptr;                                                                                          \
+        }                                                                                                            \
+    };
+#define MOTORWAY_FIND(name, precision)                                                                               \
+    if (kernel == #name)                                                                                             \
+        return &table.name##_##precision;
+#define MOTORWAY_FIND_f32(name) MOTORWAY_FIND(name, f32)
+#define MOTORWAY_FIND_f64(name) MOTORWAY_FIND(name, f64)
+#define MOTORWAY_FIND_mixed(name) MOTORWAY_FIND(name, mixed)
+#define MOTORWAY_ALL_LOOPS(X) PLAIN_POINT_LOOPS(X) PLAIN_OTHER_LOOPS(X)
+MOTORWAY_PLAIN_PRECISION(float, float, f32, MOTORWAY_ALL_LOOPS)
+MOTORWAY_PLAIN_PRECISION(double, double, f64, MOTORWAY_ALL_LOOPS)
+MOTORWAY_PLAIN_PRECISION(float, double, mixed, PLAIN_POINT_LOOPS)
 
-template <class T, class Layouts> loop<T> loop_for(const Layouts &layouts, layout kind)
+template <class T, class M>
+typename plain<T, M>::loop find_loop(const plain_table &table, const problem<T, M> &p)
 {
-    switch (kind) {
-    case layout::soa: return layouts.soa;
-    case layout::packed: return layouts.packed;
-    case layout::strided: return layouts.strided;
+    const auto *const layouts = plain<T, M>::find(table, p.kernel);
+    if (!layouts)
+        return nullptr;
+    switch (p.kind) {
+    case layout::soa: return layouts->soa;
+    case layout::packed: return layouts->packed;
+    case layout::strided: return layouts->strided;
+    case layout::columns: return p.kernel == "apply_point_grid" ? plain<T, M>::columns(table) : nullptr;
     }
-    return nullptr;
-}
-
-template <class T> loop<T> find_loop(const plain_table &table, const problem<T> &p)
-{
-#define MOTORWAY_FIND(name)                                                                                          \
-    if (p.kernel == #name) {                                                                                         \
-        if constexpr (sizeof(T) == sizeof(float))                                                                    \
-            return loop_for<T>(table.name##_f32, p.kind);                                                            \
-        else                                                                                                         \
-            return loop_for<T>(table.name##_f64, p.kind);                                                            \
-    }
-    PLAIN_LOOPS(MOTORWAY_FIND)
-#undef MOTORWAY_FIND
     return nullptr;
 }
 
@@ -47,16 +60,29 @@ void convert_array(const array<T> &to, const array<T> &motors, std::size_t count
     }
 }
 
-std::array<double, 7> quaternion_and_translation(const std::array<double, 8> &motor)
+// The motion of a motor; in mixed precision, with its shift.
+template <class T, class M> rigid motion_of(const std::array<double, 8> &motor)
 {
-    const rigid r = rigid_of(motor);
+    rigid r = rigid_of(motor);
+    if constexpr (!std::is_same_v<T, M>) {
+        const shift shift;
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column)
+                r.translation[row] -= r.rotation[row][column] * shift.before[column];
+            r.translation[row] += shift.after[row];
+        }
+    }
+    return r;
+}
+
+std::array<double, 7> quaternion_and_translation(const rigid &r)
+{
     const double *q = r.quaternion, *t = r.translation;
     return {q[0], q[1], q[2], q[3], t[0], t[1], t[2]};
 }
 
-std::array<double, 12> matrix(const std::array<double, 8> &motor)
+std::array<double, 12> matrix(const rigid &r)
 {
-    const rigid r = rigid_of(motor);
     std::array<double, 12> m;
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column)
@@ -66,19 +92,30 @@ std::array<double, 12> matrix(const std::array<double, 8> &motor)
     return m;
 }
 
-// What a loop runs on, beside the points of the problem.
-template <class T> struct operands {
-    std::vector<array<T>> converted;
+// What a loop runs on, beside the elements and the results of the problem.
+template <class T, class M> struct operands {
+    std::vector<array<T>> duals; // converted inputs, and the output behind them if it is to be converted back
+    std::vector<array<M>> rigids;
     std::vector<T *const *> in;
-    std::vector<T> fixed;
-    std::vector<array<T>> out; // one array if the result is dual quaternions, else none
-
-    void add(array<T> array)
-    {
-        converted.push_back(std::move(array));
-        in.push_back(converted.back().component());
-    }
+    std::vector<M> fixed;
+    typename plain<T, M>::arguments arguments{};
 };
+
+template <class T, class M> void prepare_apply(operands<T, M> &o, const problem<T, M> &p)
+{
+    for (std::size_t i = 0; i < p.fixed.size() / 8; ++i)
+        for (double coefficient : matrix(motion_of<T, M>(fixed_motor(p, i))))
+            o.fixed.push_back(static_cast<M>(coefficient));
+    if (p.motors) {
+        o.rigids.push_back({7, 7, p.kind == layout::soa ? layout::soa : layout::packed, p.count, 3});
+        convert_array(o.rigids[0], *p.motors, p.count, [](const std::array<double, 8> &motor) {
+            return quaternion_and_translation(motion_of<T, M>(motor));
+        });
+        o.arguments.rigids = o.rigids[0].component();
+    }
+    o.in.push_back(p.in[0].component());
+    o.arguments.out = p.out.component();
+}
 
 // An array of as many components, laid out like another.
 template <class T> array<T> array_like(const array<T> &other, const problem<T> &p, std::size_t place)
@@ -86,26 +123,16 @@ template <class T> array<T> array_like(const array<T> &other, const problem<T> &
     return {other.components(), other.stride() / sizeof(T), p.kind, p.count, place};
 }
 
-template <class T> void prepare_apply(operands<T> &o, const problem<T> &p)
-{
-    if (p.in.size() == 1) {
-        for (double coefficient : matrix(fixed_motor(p)))
-            o.fixed.push_back(static_cast<T>(coefficient));
-    } else {
-        o.add({7, 7, p.kind, p.count, 3});
-        convert_array(o.converted.back(), p.in[0], p.count, quaternion_and_translation);
-    }
-    o.in.push_back(p.in.back().component());
-}
-
-template <class T> void prepare_motors(operands<T> &o, const problem<T> &p)
+template <class T> void prepare_motors(operands<T, T> &o, const problem<T> &p)
 {
     constexpr std::size_t components = 8;
     std::size_t place = components;
+    o.duals.reserve(p.in.size() + 1);
     for (const auto &in : p.in) {
         if (in.components() == components) {
-            o.add(array_like(in, p, place));
-            convert_array(o.converted.back(), in, p.count, dual_quaternion_of<double>);
+            o.duals.push_back(array_like(in, p, place));
+            convert_array(o.duals.back(), in, p.count, dual_quaternion_of<double>);
+            o.in.push_back(o.duals.back().component());
         } else
             o.in.push_back(in.component()); // weights
         place += in.components();
@@ -116,7 +143,8 @@ template <class T> void prepare_motors(operands<T> &o, const problem<T> &p)
         for (T component : dual_quaternion_of(motor))
             o.fixed.push_back(component);
     }
-    o.out.push_back(array_like(p.out, p, 0));
+    o.duals.push_back(array_like(p.out, p, 0));
+    o.arguments.out = o.duals.back().component();
 }
 
 template <class T> void publish(const array<T> &result, const problem<T> &p)
@@ -131,24 +159,37 @@ template <class T> void publish(const array<T> &result, const problem<T> &p)
     }
 }
 
+template <class T, class M> std::function<void()> prepare(const std::shared_ptr<operands<T, M>> &o,
+                                                          const problem<T, M> &p)
+{
+    if constexpr (std::is_same_v<T, M>)
+        if (p.out.components() == 8) {
+            prepare_motors(*o, p);
+            return [=, &p] { publish(o->duals.back(), p); };
+        }
+    prepare_apply(*o, p);
+    return {};
+}
+
 } // namespace
 
-template <class T> work bind_plain(const plain_table &table, const problem<T> &p)
+template <class T, class M> work bind_plain(const plain_table &table, const problem<T, M> &p)
 {
     const auto loop = find_loop(table, p);
     if (!loop)
         return {};
-    const auto o = std::make_shared<operands<T>>();
-    o->converted.reserve(p.in.size());
-    const bool gives_points = p.out.components() == 3;
-    gives_points ? prepare_apply(*o, p) : prepare_motors(*o, p);
-    T *const *const out = gives_points ? p.out.component() : o->out[0].component();
-    return make_work([=, count = p.count] { loop(out, o->in.data(), o->fixed.data(), count); },
-                     gives_points ? std::function<void()>() : [=, &p] { publish(o->out[0], p); });
+    const auto o = std::make_shared<operands<T, M>>();
+    const auto publish_results = prepare(o, p);
+    o->arguments.in = o->in.data();
+    o->arguments.fixed = o->fixed.data();
+    o->arguments.indices = p.indices.data();
+    o->arguments.count = p.count;
+    return make_work([=] { loop(&o->arguments); }, publish_results);
 }
 
 template work bind_plain(const plain_table &, const problem<float> &);
 template work bind_plain(const plain_table &, const problem<double> &);
+template work bind_plain(const plain_table &, const problem<float, double> &);
 
 bool can_run(const plain_table &table)
 {

@@ -9,7 +9,7 @@ extern "C" {
 
 namespace motorway::bench {
 
-template <class T> work bind_plain(const plain_table &table, const problem<T> &p);
+template <class T, class M> work bind_plain(const plain_table &table, const problem<T, M> &p);
 bool can_run(const plain_table &table);
 
 } // namespace motorway::bench

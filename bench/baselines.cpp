@@ -11,14 +11,27 @@ namespace motorway::bench {
 #undef MOTORWAY_LIBRARY
 #undef MOTORWAY_PLAIN
 
-template <class T> const std::vector<baseline<T>> &baselines()
+template <class T> void add_libraries(std::vector<baseline<T>> &list)
 {
-    static const std::vector<baseline<T>> all = [] {
-        std::vector<baseline<T>> list;
 #define MOTORWAY_LIBRARY(library, name) list.push_back({name, bind_##library<T>});
+#define MOTORWAY_PLAIN(table, name)
+#include "baseline_list.inc"
+#undef MOTORWAY_LIBRARY
+#undef MOTORWAY_PLAIN
+}
+
+// None of the libraries has motions of double for points of float.
+void add_libraries(std::vector<baseline<float, double>> &) {}
+
+template <class T, class M> const std::vector<baseline<T, M>> &baselines()
+{
+    static const std::vector<baseline<T, M>> all = [] {
+        std::vector<baseline<T, M>> list;
+        add_libraries(list);
+#define MOTORWAY_LIBRARY(library, name)
 #define MOTORWAY_PLAIN(table, name)                                                                                  \
     if (can_run(table))                                                                                              \
-        list.push_back({name, [](const problem<T> &p) { return bind_plain(table, p); }});
+        list.push_back({name, [](const problem<T, M> &p) { return bind_plain(table, p); }});
 #include "baseline_list.inc"
 #undef MOTORWAY_LIBRARY
 #undef MOTORWAY_PLAIN
@@ -29,6 +42,7 @@ template <class T> const std::vector<baseline<T>> &baselines()
 
 template const std::vector<baseline<float>> &baselines();
 template const std::vector<baseline<double>> &baselines();
+template const std::vector<baseline<float, double>> &baselines();
 
 std::vector<std::string> skipped_baselines()
 {

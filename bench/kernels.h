@@ -1,27 +1,39 @@
-// The rows of generated/kernel_list.inc as benchmarks. A row for which nobody has written in kernels.cpp what its
-// arguments are and how it is called (kernel_of_<verb>_<operand>_<pairing>) does not compile.
+// The rows of generated/kernel_list.inc as benchmarks. A row of a verb, an operand or a pairing for which kernels.cpp
+// does not say what its arguments are and how it is called does not compile.
 #pragma once
 
 #include "problem.h"
 #include "work.h"
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace motorway::bench {
 
+// Makes the call of a kernel on the data of a problem.
+template <class T, class M = T> using binding = work (*)(const problem<T, M> &);
+
 struct kernel_row {
-    std::string name; // "apply_point_each-unit"
-    bool unit;        // relies on normalised motors
-    std::size_t operations; // an element, as generated/kernel_list.inc has it: of a blend, an element and term
+    std::string verb;       // "apply"
+    std::string name;       // "apply_point_each-unit": -unit relies on normalised motors
+    std::size_t operations; // a result, as generated/kernel_list.inc has it: of a blend, a result and term
     bench::arguments arguments;
     std::size_t terms;
-    work (*bind_f32)(const problem<float> &);
-    work (*bind_f64)(const problem<double> &);
+    // The kernel through the C API, whatever instruction set is selected when it runs. Null: it has none.
+    binding<float> f32 = nullptr;
+    binding<double> f64 = nullptr;
+    binding<float, double> mixed = nullptr;
 
-    // The kernel through the C API, whatever instruction set is selected when it runs.
-    work bind(const problem<float> &problem) const { return bind_f32(problem); }
-    work bind(const problem<double> &problem) const { return bind_f64(problem); }
+    template <class T, class M> binding<T, M> bind() const
+    {
+        if constexpr (!std::is_same_v<T, M>)
+            return mixed;
+        else if constexpr (sizeof(T) == sizeof(float))
+            return f32;
+        else
+            return f64;
+    }
 };
 
 const std::vector<kernel_row> &kernel_rows();

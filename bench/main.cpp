@@ -69,7 +69,7 @@ void describe_run(const options &options, const suite_settings &settings)
 
 int run(const options &options)
 {
-    const suite_settings settings{options.counts, filter(benchmark::GetBenchmarkFilter()), isas_to_run()};
+    const suite_settings settings{options.quick, filter(benchmark::GetBenchmarkFilter()), isas_to_run()};
     if (options.list) {
         for (const std::string &name : list_suite(settings))
             std::puts(name.c_str());

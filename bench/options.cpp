@@ -39,9 +39,6 @@ options parse_options(int argc, char **argv)
                  !take(argument, "benchmark_out_format", parsed.out_format))
             given.push_back(argument);
     }
-    parsed.counts = {64, 256, 1024, 65536, 1048576};
-    if (!parsed.quick)
-        parsed.counts = {64, 256, 1024, 4096, 16384, 65536, 262144, 1048576, 8388608};
     // Many short repetitions: what else goes on in a machine then meets all competitors alike.
     parsed.rest = {argv[0], parsed.quick ? "--benchmark_min_time=0.01" : "--benchmark_min_time=0.02",
                    parsed.quick ? "--benchmark_repetitions=5" : "--benchmark_repetitions=7",
@@ -53,8 +50,8 @@ options parse_options(int argc, char **argv)
 void print_help()
 {
     std::puts("motorway_bench [--quick] and the flags of Google Benchmark:\n"
-              "          [--quick]  five counts from 64 to 1048576, and 5 repetitions of 0.01 s\n"
-              "          else nine counts from 64 to 8388608, and 7 repetitions of 0.02 s\n"
+              "          [--quick]  a few counts a kernel from 64 to 8388608, and 5 repetitions of 0.01 s\n"
+              "          else up to nine counts, and 7 repetitions of 0.02 s\n"
               "MOTORWAY_ISA in the environment restricts the kernels to one instruction set.\n");
     benchmark::PrintDefaultHelp();
 }

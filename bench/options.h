@@ -1,7 +1,6 @@
 // The command line: Google Benchmark's, and what this program adds to it.
 #pragma once
 
-#include <cstddef>
 #include <regex>
 #include <string>
 #include <vector>
@@ -13,7 +12,6 @@ struct options {
     bool list = false;       // --benchmark_list_tests
     std::string out;         // --benchmark_out
     std::string out_format;  // --benchmark_out_format
-    std::vector<std::size_t> counts;
     std::vector<std::string> rest; // for Google Benchmark, its defaults for this program first
 };
 

@@ -1,65 +1,106 @@
 /* The loops themselves, in the layout and precision of the macros. No include guard: once a layout and precision.
  *
- *     points   x y z
- *     rigids   a unit quaternion w x y z and a translation
- *     duals    dual quaternions: w x y z of the real part, then of the dual part
- *     matrix   3 rows of 4: a rotation and a translation
+ *     points    x y z
+ *     vertices  a position x y z and a normal x y z
+ *     rigids    a unit quaternion w x y z and a translation
+ *     duals     dual quaternions: w x y z of the real part, then of the dual part
+ *     matrix    3 rows of 4: a rotation and a translation
  *
  * Compilers trust `restrict` fully in parameters alone, so a loop is a function of as many pointers as it has arrays,
  * behind one of the common type. */
 
 #define LOOP(name, arguments, ...)                                                                                   \
     static void NAME(name##_loop)(__VA_ARGS__);                                                                      \
-    static void NAME(name)(REAL *const *to, const REAL *const *const *from, const REAL *fixed, size_t count)         \
-    {                                                                                                                \
-        (void)fixed;                                                                                                 \
-        NAME(name##_loop) arguments;                                                                                 \
-    }                                                                                                                \
+    static void NAME(name)(const ARGUMENTS *a) { NAME(name##_loop) arguments; }                                      \
     static void NAME(name##_loop)(__VA_ARGS__)
 
-LOOP(apply_point_one, (POINTS_OF(to), POINTS_OF(from[0]), fixed, count),
-     POINTS(REAL, out), POINTS(const REAL, in), const REAL *matrix, size_t count)
+/* ------------------------------------------------------------------------------------------------ by matrices --- */
+
+#define LOAD_ROTATION(from)                                                                                          \
+    const WIDE m00 = (from)[0], m01 = (from)[1], m02 = (from)[2];                                                    \
+    const WIDE m10 = (from)[4], m11 = (from)[5], m12 = (from)[6];                                                    \
+    const WIDE m20 = (from)[8], m21 = (from)[9], m22 = (from)[10];
+#define LOAD_MATRIX(from)                                                                                            \
+    LOAD_ROTATION(from)                                                                                              \
+    const WIDE m03 = (from)[3], m13 = (from)[7], m23 = (from)[11];
+
+/* Element i to element o; AT is POINT or VERTEX, the place of a component. */
+#define MOVE_POINT(AT, o, i)                                                                                         \
+    {                                                                                                                \
+        const WIDE x = AT(in, 0, i), y = AT(in, 1, i), z = AT(in, 2, i);                                             \
+        AT(out, 0, o) = (REAL)(m00 * x + m01 * y + m02 * z + m03);                                                   \
+        AT(out, 1, o) = (REAL)(m10 * x + m11 * y + m12 * z + m13);                                                   \
+        AT(out, 2, o) = (REAL)(m20 * x + m21 * y + m22 * z + m23);                                                   \
+    }
+#define MOVE_DIRECTION(AT, c0, c1, c2, i)                                                                            \
+    {                                                                                                                \
+        const WIDE x = AT(in, c0, i), y = AT(in, c1, i), z = AT(in, c2, i);                                          \
+        AT(out, c0, i) = (REAL)(m00 * x + m01 * y + m02 * z);                                                        \
+        AT(out, c1, i) = (REAL)(m10 * x + m11 * y + m12 * z);                                                        \
+        AT(out, c2, i) = (REAL)(m20 * x + m21 * y + m22 * z);                                                        \
+    }
+#define MOVE_VERTEX(i) MOVE_POINT(VERTEX, i, i) MOVE_DIRECTION(VERTEX, 3, 4, 5, i)
+
+/* The matrices were made beforehand, and are walked in the outer loop. */
+#define GRID(name, one, ARRAY)                                                                                       \
+    static void NAME(name)(const ARGUMENTS *a)                                                                       \
+    {                                                                                                                \
+        for (size_t m = 0; m < PLAIN_MOTORS; ++m)                                                                    \
+            NAME(one##_loop)(ARRAY##_FROM(a->out, m * a->count), ARRAY##_OF(a->in[0]), a->fixed + 12 * m, a->count); \
+    }
+
+LOOP(apply_point_one, (POINTS_OF(a->out), POINTS_OF(a->in[0]), a->fixed, a->count),
+     POINTS(REAL, out), POINTS(const REAL, in), const WIDE *matrix, size_t count)
 {
-    const REAL m00 = matrix[0], m01 = matrix[1], m02 = matrix[2], m03 = matrix[3];
-    const REAL m10 = matrix[4], m11 = matrix[5], m12 = matrix[6], m13 = matrix[7];
-    const REAL m20 = matrix[8], m21 = matrix[9], m22 = matrix[10], m23 = matrix[11];
+    LOAD_MATRIX(matrix)
+    for (size_t i = 0; i < count; ++i)
+        MOVE_POINT(POINT, i, i)
+}
+
+GRID(apply_point_grid, apply_point_one, POINTS)
+
+LOOP(apply_point_indexed, (POINTS_OF(a->out), POINTS_OF(a->in[0]), a->fixed, a->indices, a->count),
+     POINTS(REAL, out), POINTS(const REAL, in), const WIDE *restrict palette, const uint16_t *restrict indices,
+     size_t count)
+{
     for (size_t i = 0; i < count; ++i) {
-        const REAL x = POINT(in, 0, i), y = POINT(in, 1, i), z = POINT(in, 2, i);
-        POINT(out, 0, i) = m00 * x + m01 * y + m02 * z + m03;
-        POINT(out, 1, i) = m10 * x + m11 * y + m12 * z + m13;
-        POINT(out, 2, i) = m20 * x + m21 * y + m22 * z + m23;
+        const WIDE *matrix = palette + 12 * (size_t)indices[i];
+        LOAD_MATRIX(matrix)
+        MOVE_POINT(POINT, i, i)
     }
 }
 
-LOOP(apply_direction_one, (POINTS_OF(to), POINTS_OF(from[0]), fixed, count),
-     POINTS(REAL, out), POINTS(const REAL, in), const REAL *matrix, size_t count)
+#ifdef COLUMNS
+LOOP(apply_point_columns, (POINTS_OF(a->out), POINTS_OF(a->in[0]), a->fixed, a->count),
+     POINTS(REAL, out), POINTS(const REAL, in), const WIDE *restrict matrices, size_t count)
 {
-    const REAL m00 = matrix[0], m01 = matrix[1], m02 = matrix[2];
-    const REAL m10 = matrix[4], m11 = matrix[5], m12 = matrix[6];
-    const REAL m20 = matrix[8], m21 = matrix[9], m22 = matrix[10];
-    for (size_t i = 0; i < count; ++i) {
-        const REAL x = POINT(in, 0, i), y = POINT(in, 1, i), z = POINT(in, 2, i);
-        POINT(out, 0, i) = m00 * x + m01 * y + m02 * z;
-        POINT(out, 1, i) = m10 * x + m11 * y + m12 * z;
-        POINT(out, 2, i) = m20 * x + m21 * y + m22 * z;
-    }
+    for (size_t i = 0; i < count; ++i)
+        for (size_t m = 0; m < PLAIN_MOTORS; ++m) {
+            LOAD_MATRIX(matrices + 12 * m)
+            MOVE_POINT(POINT, i * PLAIN_MOTORS + m, i)
+        }
 }
+#endif
+
+/* --------------------------------------------------------------------------------------------- by quaternions --- */
 
 /* p + w c + q × c with c = 2 q × p: the usual rotation by a unit quaternion, and then the translation. */
-LOOP(apply_point_each, (POINTS_OF(to), RIGIDS_OF(from[0]), POINTS_OF(from[1]), count),
-     POINTS(REAL, out), RIGIDS(const REAL, rigid), POINTS(const REAL, in), size_t count)
+LOOP(apply_point_each, (POINTS_OF(a->out), RIGIDS_OF(a->rigids), POINTS_OF(a->in[0]), a->count),
+     POINTS(REAL, out), RIGIDS(const WIDE, rigid), POINTS(const REAL, in), size_t count)
 {
     for (size_t i = 0; i < count; ++i) {
-        const REAL x = POINT(in, 0, i), y = POINT(in, 1, i), z = POINT(in, 2, i);
-        const REAL w = RIGID(rigid, 0, i), qx = RIGID(rigid, 1, i), qy = RIGID(rigid, 2, i), qz = RIGID(rigid, 3, i);
-        const REAL cx = 2 * (qy * z - qz * y), cy = 2 * (qz * x - qx * z), cz = 2 * (qx * y - qy * x);
-        POINT(out, 0, i) = x + w * cx + (qy * cz - qz * cy) + RIGID(rigid, 4, i);
-        POINT(out, 1, i) = y + w * cy + (qz * cx - qx * cz) + RIGID(rigid, 5, i);
-        POINT(out, 2, i) = z + w * cz + (qx * cy - qy * cx) + RIGID(rigid, 6, i);
+        const WIDE x = POINT(in, 0, i), y = POINT(in, 1, i), z = POINT(in, 2, i);
+        const WIDE w = RIGID(rigid, 0, i), qx = RIGID(rigid, 1, i), qy = RIGID(rigid, 2, i), qz = RIGID(rigid, 3, i);
+        const WIDE cx = 2 * (qy * z - qz * y), cy = 2 * (qz * x - qx * z), cz = 2 * (qx * y - qy * x);
+        POINT(out, 0, i) = (REAL)(x + w * cx + (qy * cz - qz * cy) + RIGID(rigid, 4, i));
+        POINT(out, 1, i) = (REAL)(y + w * cy + (qz * cx - qx * cz) + RIGID(rigid, 5, i));
+        POINT(out, 2, i) = (REAL)(z + w * cz + (qx * cy - qy * cx) + RIGID(rigid, 6, i));
     }
 }
 
-LOOP(apply_direction_each, (POINTS_OF(to), RIGIDS_OF(from[0]), POINTS_OF(from[1]), count),
+#ifndef POINTS_ALONE
+
+LOOP(apply_direction_each, (POINTS_OF(a->out), RIGIDS_OF(a->rigids), POINTS_OF(a->in[0]), a->count),
      POINTS(REAL, out), RIGIDS(const REAL, rigid), POINTS(const REAL, in), size_t count)
 {
     for (size_t i = 0; i < count; ++i) {
@@ -72,8 +113,55 @@ LOOP(apply_direction_each, (POINTS_OF(to), RIGIDS_OF(from[0]), POINTS_OF(from[1]
     }
 }
 
+/* ---------------------------------------------------------------------- directions and vertices by matrices --- */
+
+LOOP(apply_direction_one, (POINTS_OF(a->out), POINTS_OF(a->in[0]), a->fixed, a->count),
+     POINTS(REAL, out), POINTS(const REAL, in), const REAL *matrix, size_t count)
+{
+    LOAD_ROTATION(matrix)
+    for (size_t i = 0; i < count; ++i)
+        MOVE_DIRECTION(POINT, 0, 1, 2, i)
+}
+
+GRID(apply_direction_grid, apply_direction_one, POINTS)
+
+LOOP(apply_direction_indexed, (POINTS_OF(a->out), POINTS_OF(a->in[0]), a->fixed, a->indices, a->count),
+     POINTS(REAL, out), POINTS(const REAL, in), const REAL *restrict palette, const uint16_t *restrict indices,
+     size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        const REAL *matrix = palette + 12 * (size_t)indices[i];
+        LOAD_ROTATION(matrix)
+        MOVE_DIRECTION(POINT, 0, 1, 2, i)
+    }
+}
+
+LOOP(apply_vertex_one, (VERTICES_OF(a->out), VERTICES_OF(a->in[0]), a->fixed, a->count),
+     VERTICES(REAL, out), VERTICES(const REAL, in), const REAL *matrix, size_t count)
+{
+    LOAD_MATRIX(matrix)
+    for (size_t i = 0; i < count; ++i) {
+        MOVE_VERTEX(i)
+    }
+}
+
+GRID(apply_vertex_grid, apply_vertex_one, VERTICES)
+
+LOOP(apply_vertex_indexed, (VERTICES_OF(a->out), VERTICES_OF(a->in[0]), a->fixed, a->indices, a->count),
+     VERTICES(REAL, out), VERTICES(const REAL, in), const REAL *restrict palette, const uint16_t *restrict indices,
+     size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        const REAL *matrix = palette + 12 * (size_t)indices[i];
+        LOAD_MATRIX(matrix)
+        MOVE_VERTEX(i)
+    }
+}
+
+/* ------------------------------------------------------------------------------------------- dual quaternions --- */
+
 /* (a + ε b)(c + ε d) = a c + ε (a d + b c), where a + ε b is the later motion. */
-LOOP(compose_motor_each, (DUALS_OF(to), DUALS_OF(from[0]), DUALS_OF(from[1]), count),
+LOOP(compose_motor_each, (DUALS_OF(a->out), DUALS_OF(a->in[0]), DUALS_OF(a->in[1]), a->count),
      DUALS(REAL, out), DUALS(const REAL, first), DUALS(const REAL, then), size_t count)
 {
     for (size_t i = 0; i < count; ++i) {
@@ -92,7 +180,7 @@ LOOP(compose_motor_each, (DUALS_OF(to), DUALS_OF(from[0]), DUALS_OF(from[1]), co
     }
 }
 
-LOOP(reverse_motor_each, (DUALS_OF(to), DUALS_OF(from[0]), count),
+LOOP(reverse_motor_each, (DUALS_OF(a->out), DUALS_OF(a->in[0]), a->count),
      DUALS(REAL, out), DUALS(const REAL, in), size_t count)
 {
     for (size_t i = 0; i < count; ++i) {
@@ -108,7 +196,7 @@ LOOP(reverse_motor_each, (DUALS_OF(to), DUALS_OF(from[0]), count),
 }
 
 /* Divided by the dual number |a + ε b| = |a| + ε (a·b) / |a|. */
-LOOP(normalize_motor_each, (DUALS_OF(to), DUALS_OF(from[0]), count),
+LOOP(normalize_motor_each, (DUALS_OF(a->out), DUALS_OF(a->in[0]), a->count),
      DUALS(REAL, out), DUALS(const REAL, in), size_t count)
 {
     for (size_t i = 0; i < count; ++i) {
@@ -129,7 +217,7 @@ LOOP(normalize_motor_each, (DUALS_OF(to), DUALS_OF(from[0]), count),
 
 #define BLEND(k, a, b, c, d) DUAL(out, k, i) = w0 * (a) + w1 * (b) + w2 * (c) + w3 * (d)
 
-LOOP(blend_motor_one, (DUALS_OF(to), WEIGHTS_OF(from[0]), fixed, count),
+LOOP(blend_motor_one, (DUALS_OF(a->out), WEIGHTS_OF(a->in[0]), a->fixed, a->count),
      DUALS(REAL, out), WEIGHTS(const REAL, weight), const REAL *controls, size_t count)
 {
     REAL c[PLAIN_TERMS][8];
@@ -150,8 +238,8 @@ LOOP(blend_motor_one, (DUALS_OF(to), WEIGHTS_OF(from[0]), fixed, count),
     }
 }
 
-LOOP(blend_motor_each, (DUALS_OF(to), WEIGHTS_OF(from[0]), DUALS_OF(from[1]), DUALS_OF(from[2]),
-      DUALS_OF(from[3]), DUALS_OF(from[4]), count),
+LOOP(blend_motor_each, (DUALS_OF(a->out), WEIGHTS_OF(a->in[0]), DUALS_OF(a->in[1]), DUALS_OF(a->in[2]),
+      DUALS_OF(a->in[3]), DUALS_OF(a->in[4]), a->count),
      DUALS(REAL, out), WEIGHTS(const REAL, weight), DUALS(const REAL, a), DUALS(const REAL, b),
      DUALS(const REAL, c), DUALS(const REAL, d), size_t count)
 {
@@ -170,4 +258,13 @@ LOOP(blend_motor_each, (DUALS_OF(to), WEIGHTS_OF(from[0]), DUALS_OF(from[1]), DU
 }
 
 #undef BLEND
+
+#endif
+
 #undef LOOP
+#undef LOAD_ROTATION
+#undef LOAD_MATRIX
+#undef MOVE_POINT
+#undef MOVE_DIRECTION
+#undef MOVE_VERTEX
+#undef GRID

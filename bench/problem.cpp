@@ -15,25 +15,13 @@ namespace {
 
 constexpr std::size_t cache_line = 64, page = 4096, place_offset = 5 * cache_line;
 
-std::size_t components_of(operand operand)
+// Scalars from an element to the next where the components are adjacent. In the strided layout vertices are longer
+// than what is moved of them, and motors on their own lie in longer records; what comes with them is packed.
+std::size_t stride_of(operand operand, layout kind)
 {
-    switch (operand) {
-    case operand::xyz: return 3;
-    case operand::motor: return 8;
-    case operand::weights: return blend_terms;
-    }
-    return 0;
-}
-
-// Scalars from an element to the next where the components are adjacent. In the strided layout the vertices of
-// points are longer than the points, and motors on their own lie in longer records; what comes with them is packed.
-std::size_t stride_of(const arguments &arguments, operand operand, layout kind)
-{
-    if (kind == layout::strided && operand == operand::xyz)
-        return PLAIN_POINT_STRIDE;
-    if (kind == layout::strided && operand == operand::motor && arguments.out == operand::motor)
-        return PLAIN_MOTOR_STRIDE;
-    return components_of(operand);
+    if (kind != layout::strided || operand == operand::weights)
+        return components_of(operand);
+    return operand == operand::motor ? PLAIN_MOTOR_STRIDE : PLAIN_VERTEX_STRIDE;
 }
 
 // Distinct elements, repeated to fill an array: what the values are has no influence on time, so long as they are
@@ -87,7 +75,7 @@ std::vector<double> draw(random_engine &engine, operand operand, motors kind)
     }
     std::vector<double> components(components_of(operand));
     for (double &component : components)
-        component = operand == operand::xyz ? uniform(engine, -1, 1) : uniform(engine, 0.1, 1);
+        component = operand == operand::weights ? uniform(engine, 0.1, 1) : uniform(engine, -1, 1);
     return components;
 }
 
@@ -102,10 +90,25 @@ void fill(const array<T> &to, std::size_t count, random_engine &engine, operand 
             to.at(k, i) = static_cast<T>(pool[i % pool_size][k]);
 }
 
-template <class T>
-array<T> make_array(const arguments &arguments, operand operand, layout kind, std::size_t count, std::size_t place)
+template <class T> array<T> make_array(operand operand, layout kind, std::size_t count, std::size_t place)
 {
-    return {components_of(operand), stride_of(arguments, operand, kind), kind, count, place};
+    return {components_of(operand), stride_of(operand, kind), kind, count, place};
+}
+
+// Motors of elements are packed wherever they are not separate arrays.
+layout layout_of_motors(layout kind) { return kind == layout::soa ? kind : layout::packed; }
+
+// Runs of equal indices, in an order that is none.
+std::vector<std::uint16_t> draw_indices(random_engine &engine, std::size_t count)
+{
+    std::vector<std::uint16_t> indices(count);
+    std::uniform_int_distribution<int> any(0, shared_motors - 1);
+    int index = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        index = i % index_run ? index : any(engine);
+        indices[i] = static_cast<std::uint16_t>(index);
+    }
+    return indices;
 }
 
 std::size_t round_up(std::size_t size, std::size_t to) { return (size + to - 1) / to * to; }
@@ -130,34 +133,41 @@ array<T>::array(std::size_t components, std::size_t stride, layout kind, std::si
         component_.push_back(memory_.get() + (offset + (soa ? k * distance : 0)) / sizeof(T) + (soa ? 0 : k));
 }
 
-template <class T>
-problem<T>::problem(std::string name, const arguments &arguments, layout where, std::size_t elements)
-    : kernel(std::move(name)), kind(where), count(elements),
-      out(make_array<T>(arguments, arguments.out, where, elements, 0))
+template <class T, class M>
+problem<T, M>::problem(std::string name, const arguments &arguments, layout where, std::size_t elements)
+    : kernel(std::move(name)), kind(where), count(elements), images(arguments.images),
+      out(make_array<T>(arguments.out, where, elements * arguments.images, 0))
 {
     random_engine engine(1);
     std::size_t place = out.components(); // of soa, every array takes one
+    if (arguments.motor_an_element) {
+        motors = make_array<M>(operand::motor, layout_of_motors(kind), count, place);
+        fill(*motors, count, engine, operand::motor, arguments.kind);
+        place += motors->components();
+    }
     for (operand operand : arguments.in) {
-        in.push_back(make_array<T>(arguments, operand, kind, count, place));
+        in.push_back(make_array<T>(operand, kind, count, place));
         fill(in.back(), count, engine, operand, arguments.kind);
         place += in.back().components();
     }
     for (std::size_t i = 0; i < arguments.fixed; ++i)
         for (double component : draw(engine, operand::motor, arguments.kind))
-            fixed.push_back(static_cast<T>(component));
+            fixed.push_back(static_cast<M>(component));
+    if (arguments.index_an_element)
+        indices = draw_indices(engine, count);
 }
 
-template <class T> std::size_t problem<T>::components_in() const
+template <class T, class M> std::size_t problem<T, M>::element_size() const
 {
-    std::size_t sum = 0;
+    std::size_t size = motors ? motors->components() * sizeof(M) : 0;
     for (const auto &array : in)
-        sum += array.components();
-    return sum;
+        size += array.components() * sizeof(T);
+    return size;
 }
 
-template <class T> std::size_t problem<T>::span_read() const
+template <class T, class M> std::size_t problem<T, M>::span_read() const
 {
-    std::size_t sum = 0;
+    std::size_t sum = index_size() + (motors ? motors->span() : 0);
     for (const auto &array : in)
         sum += array.span();
     return sum;
@@ -168,26 +178,34 @@ template <class T> std::string layout_name(const arguments &arguments, layout ki
     switch (kind) {
     case layout::soa: return "soa";
     case layout::packed: return "aos";
-    case layout::strided: return "aos" + std::to_string(stride_of(arguments, arguments.out, kind) * sizeof(T));
+    case layout::strided: return "aos" + std::to_string(stride_of(arguments.out, kind) * sizeof(T));
+    case layout::columns: return "aos-columns";
     }
     return "";
 }
 
-template <class T> std::size_t problem_size(const arguments &arguments, layout kind, std::size_t count)
+template <class T, class M> std::size_t problem_size(const arguments &arguments, layout kind, std::size_t count)
 {
-    std::size_t stride = stride_of(arguments, arguments.out, kind);
+    std::size_t size = arguments.images * stride_of(arguments.out, kind) * sizeof(T);
     for (operand operand : arguments.in)
-        stride += stride_of(arguments, operand, kind);
-    return stride * count * sizeof(T);
+        size += stride_of(operand, kind) * sizeof(T);
+    if (arguments.motor_an_element)
+        size += components_of(operand::motor) * sizeof(M);
+    if (arguments.index_an_element)
+        size += sizeof(std::uint16_t);
+    return size * count;
 }
 
 template class array<float>;
 template class array<double>;
-template struct problem<float>;
-template struct problem<double>;
 template std::string layout_name<float>(const arguments &, layout);
 template std::string layout_name<double>(const arguments &, layout);
-template std::size_t problem_size<float>(const arguments &, layout, std::size_t);
-template std::size_t problem_size<double>(const arguments &, layout, std::size_t);
+
+#define MOTORWAY_INSTANTIATE(T, M)                                                                                   \
+    template struct problem<T, M>;                                                                                   \
+    template std::size_t problem_size<T, M>(const arguments &, layout, std::size_t);
+MOTORWAY_INSTANTIATE(float, float)
+MOTORWAY_INSTANTIATE(double, double)
+MOTORWAY_INSTANTIATE(float, double)
 
 } // namespace motorway::bench

@@ -2,21 +2,28 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace motorway::bench {
 
-template <class T> constexpr const char *precision_name = sizeof(T) == sizeof(float) ? "f32" : "f64";
+// Of elements of T under motors of M.
+template <class T, class M = T>
+constexpr const char *precision_name = !std::is_same_v<T, M> ? "mixed" : sizeof(T) == sizeof(float) ? "f32" : "f64";
 
 // How the components of an element and the elements of an array lie.
 enum class layout {
     packed,  // components adjacent, and elements too
     strided, // components adjacent, elements apart
-    soa      // one array a component
+    soa,     // one array a component
+    columns  // packed, and of a grid the images of an element side by side: in the others those of a motor are
 };
+constexpr layout layouts[] = {layout::packed, layout::strided, layout::soa, layout::columns};
 
 // An array of elements of several components, in memory of its own.
 template <class T> class array {
@@ -44,7 +51,25 @@ private:
     std::size_t stride_, span_;
 };
 
-enum class operand { xyz, motor, weights };
+enum class operand { point, direction, tangent, vertex, vector, line, motor, weights };
+
+// Terms of a blend.
+constexpr std::size_t blend_terms = 4;
+
+constexpr std::size_t components_of(operand operand)
+{
+    switch (operand) {
+    case operand::point:
+    case operand::direction: return 3;
+    case operand::tangent: return 4;
+    case operand::vertex: return 6; // a position and a normal
+    case operand::vector: return 5;
+    case operand::line: return 6;
+    case operand::motor: return 8;
+    case operand::weights: return blend_terms;
+    }
+    return 0;
+}
 
 // What a kernel must be given.
 enum class motors {
@@ -52,39 +77,56 @@ enum class motors {
     multiples // of unit motors, with a pseudoscalar that is not zero: as sums of motors are
 };
 
-// The arguments of a kernel, in the order of its C function.
+// What a kernel takes and makes.
 struct arguments {
     operand out;
-    std::vector<operand> in;
-    std::size_t fixed; // motors that all elements share
-    motors kind;
+    std::vector<operand> in;     // in the order of its C function
+    motors kind = motors::unit;
+    std::size_t fixed = 0;       // motors that all elements share: one, a palette, those of a grid
+    bool motor_an_element = false;
+    bool index_an_element = false;
+    std::size_t images = 1;      // results an element
 };
 
-// Terms of a blend.
-constexpr std::size_t blend_terms = 4;
+// The poses of a grid, and the motors of a palette: the bones of a character, the parts of a machine.
+constexpr std::size_t shared_motors = 64;
 
-template <class T> struct problem {
+// Elements of one rigid part lie together in a mesh, so their indices come in runs.
+constexpr std::size_t index_run = 32;
+
+// Of the mixed functions: taken off before a motor moves a point, and added after.
+struct shift {
+    double before[3] = {0.25, -0.5, 0.75}, after[3] = {-0.5, 0.25, 1};
+};
+
+// T is what elements are made of, M what motors that move them are.
+template <class T, class M = T> struct problem {
     std::string kernel; // "apply_point_one"
     layout kind;
-    std::size_t count;
+    std::size_t count, images;
+    std::optional<array<M>> motors; // of the elements, if each has its own
     std::vector<array<T>> in;
-    std::vector<T> fixed;
-    array<T> out;
+    std::vector<M> fixed;                // motors, packed
+    std::vector<std::uint16_t> indices;  // of the elements, into the fixed motors
+    array<T> out;                        // of a grid, motor by motor or (columns) element by element
 
     problem(std::string name, const arguments &arguments, layout where, std::size_t elements);
 
-    std::size_t bytes_read() const { return count * sizeof(T) * components_in(); }
-    std::size_t bytes_written() const { return count * sizeof(T) * out.components(); }
+    std::size_t results() const { return count * images; }
+    // Of motors that elements share it is left out what they take.
+    std::size_t bytes_read() const { return count * element_size() + index_size(); }
+    std::size_t bytes_written() const { return results() * sizeof(T) * out.components(); }
     std::size_t span_read() const;
 
 private:
-    std::size_t components_in() const;
+    std::size_t element_size() const;
+    std::size_t index_size() const { return indices.size() * sizeof(indices[0]); }
 };
 
-// "aos", "aos32" with a stride of 32 bytes, or "soa".
+// "aos", "aos32" with a stride of 32 bytes, "soa" or "aos-columns".
 template <class T> std::string layout_name(const arguments &arguments, layout kind);
 
 // The bytes of the arrays of a problem, with what strides leave between.
-template <class T> std::size_t problem_size(const arguments &arguments, layout kind, std::size_t count);
+template <class T, class M> std::size_t problem_size(const arguments &arguments, layout kind, std::size_t count);
 
 } // namespace motorway::bench

@@ -48,7 +48,7 @@ def write_page(results: Results, directory: str, command: str) -> None:
             continue
         names = [charts.throughput(results, kernel, directory)]
         names += [charts.against_baselines(results, kernel, precision, CHART_COUNT, directory)
-                  for precision in ("f32", "f64")]
+                  for precision in ("f32", "f64", "mixed")]
         drawn[kernel] = [name for name in names if name]
     with open(os.path.join(directory, "index.md"), "w", encoding="utf-8") as file:
         file.write(page(results, drawn, command))

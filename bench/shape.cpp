@@ -9,12 +9,13 @@ namespace motorway::bench {
 
 void contestant::get_ready() const
 {
-    if (!isa.empty() && !select_isa(isa.c_str()))
+    if (!select_isa(isa.c_str()))
         throw std::runtime_error("the instruction set " + isa + " does not run here");
 }
 
-template <class T>
-std::vector<contestant> contestants(const shape<T> &shape, const problem<T> &problem, const suite_settings &settings)
+template <class T, class M>
+std::vector<contestant> contestants(const shape<T, M> &shape, const problem<T, M> &problem,
+                                    const suite_settings &settings)
 {
     std::vector<contestant> found;
     const auto offer = [&](const std::string &name, const std::string &isa, auto bind) {
@@ -24,26 +25,29 @@ std::vector<contestant> contestants(const shape<T> &shape, const problem<T> &pro
             found.push_back({name, isa, std::move(todo)});
     };
     for (const std::string &isa : settings.isas)
-        offer(shape.kernel_name(isa), isa, [&](const auto &p) { return shape.row.bind(p); });
-    for (const auto &baseline : baselines<T>())
-        offer(shape.baseline_name(baseline.name), "", baseline.bind);
+        offer(shape.kernel_name(isa), isa, [&](const auto &p) { return shape.bind(p); });
+    for (const auto &baseline : baselines<T, M>())
+        offer(shape.baseline_name(baseline.name), settings.isas.front(), baseline.bind);
     return found;
 }
 
-template <class T> bool is_wanted(const shape<T> &shape, const suite_settings &settings)
+template <class T, class M> bool is_wanted(const shape<T, M> &shape, const suite_settings &settings)
 {
     const auto &isas = settings.isas;
-    const auto &rivals = baselines<T>();
+    const auto &rivals = baselines<T, M>();
     return std::any_of(isas.begin(), isas.end(),
                        [&](const std::string &isa) { return settings.filter.matches(shape.kernel_name(isa)); }) ||
-           std::any_of(rivals.begin(), rivals.end(), [&](const baseline<T> &rival) {
+           std::any_of(rivals.begin(), rivals.end(), [&](const baseline<T, M> &rival) {
                return settings.filter.matches(shape.baseline_name(rival.name));
            });
 }
 
-template std::vector<contestant> contestants(const shape<float> &, const problem<float> &, const suite_settings &);
-template std::vector<contestant> contestants(const shape<double> &, const problem<double> &, const suite_settings &);
-template bool is_wanted(const shape<float> &, const suite_settings &);
-template bool is_wanted(const shape<double> &, const suite_settings &);
+#define MOTORWAY_INSTANTIATE(T, M)                                                                                   \
+    template std::vector<contestant> contestants(const shape<T, M> &, const problem<T, M> &,                         \
+                                                 const suite_settings &);                                            \
+    template bool is_wanted(const shape<T, M> &, const suite_settings &);
+MOTORWAY_INSTANTIATE(float, float)
+MOTORWAY_INSTANTIATE(double, double)
+MOTORWAY_INSTANTIATE(float, double)
 
 } // namespace motorway::bench

@@ -11,12 +11,12 @@
 namespace motorway::bench {
 
 struct suite_settings {
-    std::vector<std::size_t> counts;
+    bool quick;
     bench::filter filter;
     std::vector<std::string> isas; // best first
 };
 
-template <class T> struct shape {
+template <class T, class M = T> struct shape {
     const kernel_row &row;
     layout kind;
     std::size_t count;
@@ -26,11 +26,12 @@ template <class T> struct shape {
     {
         return "baseline_" + library + "/" + row.name + path() + tail();
     }
-    bench::problem<T> make_problem() const { return {row.name, row.arguments, kind, count}; }
-    std::size_t size() const { return problem_size<T>(row.arguments, kind, count); } // bytes of a problem
+    work bind(const problem<T, M> &problem) const { return row.bind<T, M>()(problem); }
+    bench::problem<T, M> make_problem() const { return {row.name, row.arguments, kind, count}; }
+    std::size_t size() const { return problem_size<T, M>(row.arguments, kind, count); } // bytes of a problem
 
 private:
-    std::string path() const { return "/" + layout_name<T>(row.arguments, kind) + "/" + precision_name<T>; }
+    std::string path() const { return "/" + layout_name<T>(row.arguments, kind) + "/" + precision_name<T, M>; }
     std::string tail() const { return "/" + std::to_string(count); }
 };
 
@@ -38,13 +39,19 @@ private:
 template <class F> void for_each_shape(std::size_t count, F visit)
 {
     for (const kernel_row &row : kernel_rows())
-        for (layout kind : {layout::packed, layout::strided, layout::soa}) {
-            visit(shape<float>{row, kind, count});
-            visit(shape<double>{row, kind, count});
+        for (layout kind : layouts) {
+            if (kind == layout::columns && row.arguments.images == 1)
+                continue;
+            if (row.f32)
+                visit(shape<float>{row, kind, count});
+            if (row.f64)
+                visit(shape<double>{row, kind, count});
+            if (row.mixed)
+                visit(shape<float, double>{row, kind, count});
         }
 }
 
-// A kernel on one instruction set, or a baseline, for which that is empty.
+// A kernel on one instruction set; or a baseline, for which that is the best, if it calls the library.
 struct contestant {
     std::string name, isa;
     work todo;
@@ -54,10 +61,11 @@ struct contestant {
 };
 
 // Those that the filter lets pass.
-template <class T>
-std::vector<contestant> contestants(const shape<T> &shape, const problem<T> &problem, const suite_settings &settings);
+template <class T, class M>
+std::vector<contestant> contestants(const shape<T, M> &shape, const problem<T, M> &problem,
+                                    const suite_settings &settings);
 
 // Whether there can be any: to be asked before data is made.
-template <class T> bool is_wanted(const shape<T> &shape, const suite_settings &settings);
+template <class T, class M> bool is_wanted(const shape<T, M> &shape, const suite_settings &settings);
 
 } // namespace motorway::bench

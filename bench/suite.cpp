@@ -1,6 +1,7 @@
 #include "suite.h"
 
 #include "limits.h"
+#include "schedule.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -15,17 +16,17 @@ namespace {
 // Counts that are measured on two threads, too: in the caches of every core.
 constexpr std::size_t threaded_count = 1024;
 
-template <class T> void set_counters(benchmark::State &state, const shape<T> &shape, const problem<T> &problem)
+template <class T, class M>
+void set_counters(benchmark::State &state, const shape<T, M> &shape, const problem<T, M> &problem)
 {
-    const std::size_t read = problem.bytes_read(), written = problem.bytes_written();
+    const std::size_t results = problem.results(), read = problem.bytes_read(), written = problem.bytes_written();
     const auto iterations = static_cast<std::int64_t>(state.iterations());
-    state.SetItemsProcessed(iterations * static_cast<std::int64_t>(shape.count));
+    state.SetItemsProcessed(iterations * static_cast<std::int64_t>(results));
     state.SetBytesProcessed(iterations * static_cast<std::int64_t>(read + written));
-    const double values[] = {static_cast<double>(read), static_cast<double>(written),
-                             static_cast<double>(problem.span_read()), static_cast<double>(problem.out.span()),
-                             static_cast<double>(shape.row.operations * shape.row.terms * shape.count)};
+    const std::size_t values[] = {results, read, written, problem.span_read(), problem.out.span(),
+                                  shape.row.operations * shape.row.terms * results};
     for (std::size_t i = 0; i < std::size(values); ++i)
-        state.counters[report_counters[i]] = values[i];
+        state.counters[report_counters[i]] = static_cast<double>(values[i]);
 }
 
 class suite {
@@ -37,10 +38,20 @@ public:
 
     void run_all()
     {
-        run_limits(fma_limits(settings_.isas), is_anything_wanted());
-        for (std::size_t count : settings_.counts)
-            for_each_shape(count, [&](const auto &shape) { run_shape(shape); });
-        for_each_shape(threaded_count, [&](const auto &shape) { run_threads(shape); });
+        std::size_t wanted = 0;
+        for_each_scheduled([&](const auto &shape) { wanted += is_wanted(shape, settings_); });
+        run_limits(fma_limits(settings_.isas), wanted != 0);
+        for_each_scheduled([&](const auto &shape) {
+            if (is_wanted(shape, settings_)) {
+                show_progress(shape.kernel_name("*"), wanted);
+                run_shape(shape);
+            } else
+                run_limits(memory_limits(shape.size()), false);
+        });
+        for_each_shape(threaded_count, [&](const auto &shape) {
+            if (is_threaded(shape, settings_.quick))
+                run_threads(shape);
+        });
     }
 
     std::size_t number() const { return names_.size(); }
@@ -64,12 +75,19 @@ private:
         registered_ = false;
     }
 
-    bool is_anything_wanted() const
+    template <class F> void for_each_scheduled(F visit) const
     {
-        bool wanted = false;
-        for (std::size_t count : settings_.counts)
-            for_each_shape(count, [&](const auto &shape) { wanted = wanted || is_wanted(shape, settings_); });
-        return wanted;
+        for (std::size_t count : counts(settings_.quick))
+            for_each_shape(count, [&](const auto &shape) {
+                if (is_scheduled(shape, settings_.quick))
+                    visit(shape);
+            });
+    }
+
+    void show_progress(const std::string &name, std::size_t wanted)
+    {
+        if (reporter_)
+            std::fprintf(stderr, "%zu of %zu: %s\n", ++begun_, wanted, name.c_str());
     }
 
     // Limits are measured once, whatever the filter says where something is measured against them.
@@ -86,7 +104,7 @@ private:
     }
 
     // Half of the memory is for the data of a problem, of its baselines and of its limits: some three times its own.
-    template <class T> bool fits(const shape<T> &shape) const
+    template <class T, class M> bool fits(const shape<T, M> &shape) const
     {
         const auto memory = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
                             static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
@@ -97,14 +115,13 @@ private:
         return false;
     }
 
-    template <class T> void run_shape(const shape<T> &shape)
+    template <class T, class M> void run_shape(const shape<T, M> &shape)
     {
-        const bool wanted = is_wanted(shape, settings_);
-        if (wanted && fits(shape)) {
+        if (fits(shape)) {
             // Names depend on no data.
             auto made = shape;
             made.count = reporter_ ? shape.count : 1;
-            const auto problem = std::make_shared<bench::problem<T>>(made.make_problem());
+            const auto problem = std::make_shared<bench::problem<T, M>>(made.make_problem());
             for (const contestant &contestant : contestants(shape, *problem, settings_))
                 add(contestant.name, [=](benchmark::State &state) {
                     contestant.get_ready();
@@ -112,22 +129,21 @@ private:
                     set_counters(state, shape, *problem);
                 });
         }
-        add_limits(memory_limits(shape.size()), wanted);
-        run_registered();
+        run_limits(memory_limits(shape.size()), true);
     }
 
     // Two threads, each on data of its own, on the best instruction set.
-    template <class T> void run_threads(const shape<T> &shape)
+    template <class T, class M> void run_threads(const shape<T, M> &shape)
     {
         constexpr int threads = 2;
         const std::string &isa = settings_.isas.front(), name = shape.kernel_name(isa);
         if (std::thread::hardware_concurrency() < threads || !settings_.filter.matches(name))
             return;
-        std::vector<std::shared_ptr<problem<T>>> problems;
+        std::vector<std::shared_ptr<problem<T, M>>> problems;
         std::vector<work> todo;
         for (int i = 0; i < threads; ++i) {
-            problems.push_back(std::make_shared<problem<T>>(shape.make_problem()));
-            todo.push_back(shape.row.bind(*problems.back()));
+            problems.push_back(std::make_shared<problem<T, M>>(shape.make_problem()));
+            todo.push_back(shape.bind(*problems.back()));
         }
         add(name, [=](benchmark::State &state) {
             contestant{name, isa, {}}.get_ready();
@@ -143,6 +159,7 @@ private:
     std::vector<std::string> names_;
     std::set<std::string> measured_limits_;
     bool registered_ = false; // anything for the next run
+    std::size_t begun_ = 0;   // shapes
 };
 
 } // namespace

@@ -11,10 +11,11 @@
 
 namespace motorway::bench {
 
-// What the report needs to know of a kernel or a baseline, for all elements together: the bytes of their components;
-// the bytes from the first element to the last, which strides can make more; and the operations of the kernel,
-// counted as fused multiply-adds.
-constexpr const char *report_counters[] = {"bytes_read", "bytes_written", "span_read", "span_written", "operations"};
+// What the report needs to know of a kernel or a baseline, for one call: its results; the bytes of the components
+// read and written; the bytes from the first element to the last, which strides can make more; and the operations
+// of the kernel, counted as fused multiply-adds.
+constexpr const char *report_counters[] = {"results",   "bytes_read",   "bytes_written",
+                                           "span_read", "span_written", "operations"};
 
 // The names, without running anything.
 std::vector<std::string> list_suite(const suite_settings &settings);

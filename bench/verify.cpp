@@ -1,5 +1,7 @@
 #include "verify.h"
 
+#include "schedule.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -13,11 +15,12 @@ namespace {
 // A count with a tail for every vector width.
 constexpr std::size_t verified_count = 1023;
 
-template <class T> std::vector<T> results_of(const contestant &contestant, const problem<T> &problem)
+template <class T, class M>
+std::vector<T> results_of(const contestant &contestant, const problem<T, M> &problem)
 {
     const array<T> &out = problem.out;
     const auto for_each_number = [&](auto visit) {
-        for (std::size_t i = 0; i < problem.count; ++i)
+        for (std::size_t i = 0; i < problem.results(); ++i)
             for (std::size_t k = 0; k < out.components(); ++k)
                 visit(out.at(k, i));
     };
@@ -52,11 +55,11 @@ void require_close(const std::string &name, const std::vector<T> &results, const
     throw std::runtime_error(message.str());
 }
 
-template <class T> void verify(const shape<T> &shape, const suite_settings &settings)
+template <class T, class M> void verify(const shape<T, M> &shape, const suite_settings &settings)
 {
     const auto problem = shape.make_problem();
     const std::string &isa = settings.isas.front();
-    const auto expected = results_of({shape.kernel_name(isa), isa, shape.row.bind(problem)}, problem);
+    const auto expected = results_of({shape.kernel_name(isa), isa, shape.bind(problem)}, problem);
     for (const contestant &contestant : contestants(shape, problem, settings))
         require_close(contestant.name, results_of(contestant, problem), expected, problem.out.components());
 }
@@ -69,10 +72,11 @@ void verify(const suite_settings &settings)
     all.filter = filter("");
     for_each_shape(verified_count, [&](const auto &verified) {
         // The filter may name a count.
-        const bool wanted = std::any_of(settings.counts.begin(), settings.counts.end(), [&](std::size_t count) {
-            auto measured = verified;
-            measured.count = count;
-            return is_wanted(measured, settings);
+        const std::vector<std::size_t> measured = counts(settings.quick);
+        const bool wanted = std::any_of(measured.begin(), measured.end(), [&](std::size_t count) {
+            auto shape = verified;
+            shape.count = count;
+            return is_scheduled(shape, settings.quick) && is_wanted(shape, settings);
         });
         if (wanted)
             verify(verified, all);

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, Tuple
+from typing import Callable, List, Tuple
 
-from algebra import Multivector
+from algebra import Multivector, e
 
 
 @dataclass(frozen=True)
 class Element:
-    """An ordered list of components, each the coefficient of one basis blade.
+    """An ordered list of components, each the coefficient of one product of basis vectors.
 
-    `constant` holds blades whose coefficient is fixed and not stored, such as the e0 of a Euclidean point.
+    The vectors of a product may be in any order: the coefficient of "31" is minus that of "13". `constant` holds
+    blades whose coefficient is fixed and not stored, such as the e0 of a Euclidean point.
     """
 
     name: str
-    components: Tuple[Tuple[str, str], ...]  # ((name in code, blade), ...)
+    components: Tuple[Tuple[str, str], ...]  # ((name in code, product), ...)
     constant: Tuple[Tuple[str, int], ...] = ()
     meaning: str = ""
 
@@ -26,12 +27,26 @@ class Element:
 
     @property
     def blades(self) -> Tuple[str, ...]:
-        return tuple(blade for _, blade in self.components)
+        """The basis blade of every component."""
+        return tuple(blade for blade, _ in map(signed_blade, self.components))
 
     def multivector(self, coefficient: Callable[[str], object]) -> Multivector:
         """The multivector whose component called `name` is `coefficient(name)`."""
-        parts = {blade: coefficient(name) for name, blade in self.components}
+        parts = {}
+        for component in self.components:
+            blade, sign = signed_blade(component)
+            parts[blade] = coefficient(component[0]) if sign > 0 else -coefficient(component[0])
         return Multivector({**dict(self.constant), **parts})
+
+    def coefficients(self, value: Multivector) -> List[object]:
+        """The components of a multivector, in order."""
+        signed = map(signed_blade, self.components)
+        return [value[blade] if sign > 0 else -value[blade] for blade, sign in signed]
+
+
+def signed_blade(component: Tuple[str, str]) -> Tuple[str, int]:
+    (blade, sign), = e(component[1]).parts.items()
+    return blade, sign
 
 
 MOTOR = Element(
@@ -54,10 +69,20 @@ POINT = Element(
 DIRECTION = Element(
     "direction", (("x", "1"), ("y", "2"), ("z", "3")), meaning="a Euclidean direction, x e1 + y e2 + z e3"
 )
+TANGENT = Element(
+    "tangent",
+    (("x", "1"), ("y", "2"), ("z", "3"), ("w", "")),
+    meaning="a Euclidean direction, and a number that no motor changes",
+)
 VECTOR = Element(
     "vector",
     (("e0", "0"), ("e1", "1"), ("e2", "2"), ("e3", "3"), ("ei", "i")),
     meaning="any element of grade 1: a point, a sphere or a plane",
 )
+LINE = Element(
+    "line",
+    (("dx", "23"), ("dy", "31"), ("dz", "12"), ("mx", "1i"), ("my", "2i"), ("mz", "3i")),
+    meaning="a line in Plücker coordinates: d e123 + m e∞, the generator of the rotations about it (lemma 3.11)",
+)
 
-ELEMENTS = (MOTOR, POINT, DIRECTION, VECTOR)
+ELEMENTS = (MOTOR, POINT, DIRECTION, TANGENT, VECTOR, LINE)

@@ -11,11 +11,13 @@ out, into the canonical form in which two ways of writing a formula are shown to
 
 from __future__ import annotations
 
+from collections import Counter
 from fractions import Fraction
+from functools import lru_cache
 from math import gcd, isqrt
 from typing import Dict, Iterable, Tuple, Union
 
-from polynomial import Polynomial
+from polynomial import Polynomial, Quotient
 
 Number = Union[int, Fraction]
 Term = Tuple[Fraction, Tuple["Node", ...]]
@@ -174,45 +176,85 @@ def root(value):
 
 
 class Expansion:
-    """A quotient of polynomials. Square roots are further variables, with the rule that says what they square to."""
+    """A quotient of polynomials. Square roots are further variables, with the rule that says what they square to.
 
-    def __init__(self, numerator: Polynomial, denominator: Polynomial, rules: Dict[str, Polynomial]):
-        self.numerator, self.denominator, self.rules = numerator, denominator, rules
+    The denominator is kept as powers of its factors, so that sums over the same few denominators stay small.
+    """
 
-    def equals(self, other: "Expansion", relations: Dict[str, Polynomial] = {}) -> bool:
-        """Exact equality, modulo the roots' rules and further relations v² = polynomial."""
-        rules = {**self.rules, **other.rules, **relations}
-        difference = self.numerator * other.denominator - other.numerator * self.denominator
-        return difference.reduce(rules) == 0
+    def __init__(self, numerator: Polynomial, factors: Dict[Polynomial, int], rules: Dict[str, Polynomial]):
+        self.numerator, self.factors, self.rules = numerator, factors, rules
+
+    @property
+    def denominator(self) -> Polynomial:
+        return power_product(self.factors)
+
+    def over(self, factors: Dict[Polynomial, int]) -> Polynomial:
+        """The numerator over a common denominator."""
+        missing = {factor: power - self.factors.get(factor, 0) for factor, power in factors.items()}
+        return self.numerator * power_product(missing)
+
+    def equals(self, other: "Expansion", relations: Dict[str, object] = {}) -> bool:
+        """Exact equality, modulo the roots' rules and further relations: v² = polynomial, or v = Quotient."""
+        common = common_factors(self.factors, other.factors)
+        difference = self.over(common) - other.over(common)
+        squares = {**self.rules, **other.rules}
+        for name, relation in relations.items():
+            if isinstance(relation, Quotient):
+                difference = difference.replace_by_quotient(name, relation)
+            else:
+                squares[name] = relation
+        return difference.reduce(squares) == 0
 
 
+def common_factors(a: Dict[Polynomial, int], b: Dict[Polynomial, int]) -> Dict[Polynomial, int]:
+    return {factor: max(a.get(factor, 0), b.get(factor, 0)) for factor in {**a, **b}}
+
+
+def power_product(factors: Dict[Polynomial, int]) -> Polynomial:
+    result = Polynomial.of(1)
+    for factor, power in factors.items():
+        result = result * factor**power
+    return result
+
+
+@lru_cache(maxsize=None)
 def expand(n: Node) -> Expansion:
     if n.kind == "symbol":
-        return Expansion(Polynomial.variable(n.name), Polynomial.of(1), {})
+        return Expansion(Polynomial.variable(n.name), {}, {})
     if n.kind == "named":
         return expand(n.operands[0])
     if n.kind == "quotient":
-        a, b = map(expand, n.operands)
-        return Expansion(a.numerator * b.denominator, a.denominator * b.numerator, {**a.rules, **b.rules})
+        return expand_quotient(*map(expand, n.operands))
     if n.kind == "root":
         inside = expand(n.operands[0])
-        if inside.denominator != 1:
+        if inside.factors:
             raise ValueError("the square root of a quotient: write it as a quotient of roots")
         name = f"sqrt({inside.numerator!r})"
-        return Expansion(Polynomial.variable(name), Polynomial.of(1), {**inside.rules, name: inside.numerator})
-    total = Expansion(Polynomial(), Polynomial.of(1), {})
+        return Expansion(Polynomial.variable(name), {}, {**inside.rules, name: inside.numerator})
+    total = Expansion(Polynomial(), {}, {})
     for coefficient, factors in n.terms:
-        numerator, denominator, rules = Polynomial.of(coefficient), Polynomial.of(1), dict(total.rules)
-        for factor in map(expand, factors):
-            numerator, denominator = numerator * factor.numerator, denominator * factor.denominator
-            rules.update(factor.rules)
-        if denominator == total.denominator:
-            total = Expansion(total.numerator + numerator, denominator, rules)
-        else:
-            total = Expansion(
-                total.numerator * denominator + numerator * total.denominator, total.denominator * denominator, rules
-            )
+        term = expand_product(coefficient, list(map(expand, factors)))
+        common = common_factors(total.factors, term.factors)
+        total = Expansion(total.over(common) + term.over(common), common, {**total.rules, **term.rules})
     return total
+
+
+def expand_product(coefficient, factors) -> Expansion:
+    numerator, powers, rules = Polynomial.of(coefficient), Counter(), {}
+    for factor in factors:
+        numerator = numerator * factor.numerator
+        powers.update(factor.factors)
+        rules.update(factor.rules)
+    return Expansion(numerator, dict(powers), rules)
+
+
+def expand_quotient(a: Expansion, b: Expansion) -> Expansion:
+    numerator = a.numerator * b.denominator
+    if b.numerator.is_constant():
+        return Expansion(numerator / b.numerator.constant(), a.factors, {**a.rules, **b.rules})
+    powers = Counter(a.factors)
+    powers[b.numerator] += 1
+    return Expansion(numerator, dict(powers), {**a.rules, **b.rules})
 
 
 def from_polynomial(p: Polynomial) -> Node:

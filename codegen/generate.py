@@ -12,7 +12,7 @@ from __future__ import annotations
 import argparse
 import difflib
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Dict, List, Sequence, Tuple
 
@@ -29,7 +29,7 @@ from elements import MOTOR, VECTOR
 from emit import Writer, constant_names
 from expression import named, node, symbol
 from golden import golden_rows
-from kernels import KERNELS, Kernel, Pairing
+from kernels import KERNELS, Kernel, Pairing, as_tuple
 from plan import Operation
 from simplify import Choice, Form, choose
 
@@ -50,7 +50,12 @@ class Variant:
 
     @property
     def name(self) -> str:
-        return f"{self.kernel.name}_{self.pairing.name}" + ("_unit" if self.unit else "")
+        return variant_name(self.kernel, self.pairing.name, self.unit)
+
+    @property
+    def like(self) -> str:
+        """The struct whose arithmetic it is, if it has none of its own."""
+        return variant_name(self.kernel, self.pairing.like, self.unit) if self.pairing.like else ""
 
     @property
     def fixed(self):
@@ -59,6 +64,11 @@ class Variant:
     @property
     def streams(self):
         return [i for i in self.kernel.inputs if i.name not in self.pairing.fixed]
+
+
+def variant_name(kernel: Kernel, pairing: str, unit: bool) -> str:
+    suffix = "_unit" if unit else "_mixed" if kernel.mixed else ""
+    return f"{kernel.verb}_{kernel.operand}_{pairing}{suffix}"
 
 
 def derive(kernel: Kernel, pairing: Pairing, unit: bool) -> Variant:
@@ -76,17 +86,19 @@ def build_form(kernel: Kernel, name: str, formula) -> Form:
             return named(name, node(value))
         return Multivector({blade: named(name + blade, node(part)) for blade, part in value.parts.items()})
 
-    result = multivector(formula(*[i.multivector(symbol) for i in kernel.inputs], let))
-    return Form(name, tuple(node(result[blade]) for blade in kernel.output.blades))
+    results = as_tuple(formula(*[i.multivector(symbol) for i in kernel.inputs], let))
+    pairs = zip(kernel.outputs, map(multivector, results))
+    return Form(name, tuple(node(c) for output, result in pairs for c in output.coefficients(result)))
 
 
 def variants_of(kernel: Kernel) -> List[Variant]:
-    variants = []
+    variants: Dict[str, Variant] = {}
     for pairing in kernel.pairings:
-        variants.append(derive(kernel, pairing, unit=False))
-        if kernel.unit_forms and not pairing.fixed:  # once a motor, a division does not count
-            variants.append(derive(kernel, pairing, unit=True))
-    return variants
+        # once a motor, a division does not count
+        for unit in (False, True) if kernel.unit_forms and "motor" not in pairing.fixed else (False,):
+            variant = variants.get(variant_name(kernel, pairing.like, unit)) or derive(kernel, pairing, unit)
+            variants[variant_name(kernel, pairing.name, unit)] = replace(variant, pairing=pairing)
+    return list(variants.values())
 
 
 # ------------------------------------------------------------------------------------------------- what is written
@@ -119,7 +131,7 @@ def render_all() -> Dict[str, str]:
 
 def kernel_values(kernel: Kernel, variants: Sequence[Variant]) -> Dict[str, object]:
     return {
-        "title": f"{kernel.verb} {kernel.operand}",
+        "title": kernel.name.replace("_", " "),
         "formula": kernel.formula,
         "source": kernel.source,
         "variants": [variant_values(variant) for variant in variants],
@@ -127,12 +139,16 @@ def kernel_values(kernel: Kernel, variants: Sequence[Variant]) -> Dict[str, obje
 
 
 def variant_values(variant: Variant) -> Dict[str, object]:
-    plan = variant.choice.plan
-    streams = [i.element.size for i in variant.streams]
+    kernel, plan = variant.kernel, variant.choice.plan
+    blends = kernel.verb == "blend"
+    motors = [i for i in variant.streams if kernel.verb == "apply" and i.name == "motor"]
+    inputs = [i.element.size for i in variant.streams[len(motors) + blends :]]
+    outputs = [output.size for output in kernel.outputs]
     return {
-        "title": f"{variant.kernel.verb} {variant.kernel.operand} {variant.pairing.name}"
-        + (", for motors with S̄S = 1" if variant.unit else ""),
+        "title": f"{kernel.verb} {kernel.operand} {variant.pairing.name}"
+        + (", for motors with S̄S = 1" if variant.unit else ", computed in double" if kernel.mixed else ""),
         "struct": variant.name,
+        "like": variant.like,
         "forms": [
             {"name": name, "cost": form_cost(candidate, bool(variant.fixed)), "chosen": candidate is plan}
             for name, candidate in variant.choice.considered
@@ -140,20 +156,16 @@ def variant_values(variant: Variant) -> Dict[str, object]:
         "has_prologue": bool(variant.fixed),
         "fixed_size": sum(i.element.size for i in variant.fixed),
         "constant_size": len(plan.constants),
-        "stream_sizes": accumulated_streams(variant) if variant.kernel.verb == "blend" else (streams + [0])[:2],
-        "output_size": variant.kernel.output.size,
-        "affine": variant.choice.form.name == "matrix",
+        "motor_size": sum(i.element.size for i in motors),
+        "input_sizes": inputs,
+        "output_sizes": outputs,
+        "affine": variant.choice.form.name == "matrix" and inputs == outputs and set(outputs) == {3},
+        "accumulates": blends,
         "prologue_count": str(plan.count("prologue")),
         "prologue": write_prologue(variant),
         "body_count": str(plan.count("body")),
         "body": write_body(variant),
     }
-
-
-def accumulated_streams(variant: Variant) -> List[int]:
-    """A blend's first stream is what it has summed so far; each term adds a weight and a control."""
-    first, *rest = [i.element.size for i in variant.streams]
-    return [first, sum(rest)]
 
 
 def form_cost(plan, has_prologue: bool) -> str:
@@ -186,11 +198,12 @@ def list_row(variant: Variant) -> Dict[str, object]:
     kernel, count = variant.kernel, variant.choice.plan.count("body")
     inputs = sum(i.element.size for i in variant.streams)
     if kernel.verb == "blend":  # the sum stays in registers, and shared controls are not read an element
-        inputs = 1 if variant.pairing.name == "one" else 1 + kernel.output.size
+        inputs = 1 if variant.pairing.name == "one" else 1 + kernel.output_size
     columns = [
-        kernel.verb, kernel.operand, variant.pairing.name, inputs, kernel.output.size, count.operations, count.divisions
+        kernel.verb, kernel.operand, variant.pairing.name, inputs, kernel.output_size, count.operations, count.divisions
     ]
-    return {"unit": variant.unit, "columns": columns}
+    kind = "_UNIT" if variant.unit else "_MIXED" if kernel.mixed else ""
+    return {"macro": "MOTORWAY_KERNEL" + kind, "columns": columns}
 
 
 def golden_values(kernel: Kernel) -> Dict[str, object]:
@@ -198,9 +211,9 @@ def golden_values(kernel: Kernel) -> Dict[str, object]:
         return f"{float(value):g}"
 
     return {
-        "title": f"{kernel.verb} {kernel.operand}",
+        "title": kernel.name.replace("_", " "),
         "inputs": [name for i in kernel.inputs for name in i.symbols],
-        "outputs": [name for name, _ in kernel.output.components],
+        "outputs": [name for output in kernel.outputs for name, _ in output.components],
         "rows": [
             {"inputs": [decimal(v) for v in inputs], "outputs": outputs} for inputs, outputs in golden_rows(kernel)
         ],

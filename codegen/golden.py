@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import Dict, Iterator, List, Tuple
 
 from algebra import multivector
-from kernels import Kernel
+from kernels import Kernel, as_tuple
 
 # Rotation parts (s, b12, b13, b23) whose squares sum to a square, so that a normalised motor is rational: the
 # identity, half turns, quarter turns in quarters, and unnormalised ones.
@@ -59,8 +59,8 @@ def golden_inputs(kernel: Kernel) -> Iterator[Dict[str, Fraction]]:
 def evaluate(kernel: Kernel, values: Dict[str, Fraction]) -> List[Fraction]:
     _, definition = kernel.forms[0]
     operands = [i.multivector(values.__getitem__) for i in kernel.inputs]
-    result = multivector(definition(*operands, lambda name, value: value))
-    outputs = [Fraction(result[blade]) for blade in kernel.output.blades]
+    results = as_tuple(definition(*operands, lambda name, value: value))
+    outputs = [Fraction(c) for o, r in zip(kernel.outputs, results) for c in o.coefficients(multivector(r))]
     if any(max(abs(o.numerator), o.denominator) > LARGEST_EXACT for o in outputs):
         raise ValueError(f"{kernel.name}: a golden result is not exact in double")
     return outputs

@@ -3,21 +3,35 @@
 A kernel has a definition, which is the formula of the paper, and any number of other forms. The generator proves
 that all of them are equal and takes the cheapest, pairing by pairing. A new kernel is an entry in KERNELS.
 
-A formula takes the kernel's inputs as multivectors and a function `let(name, value)` that names a value for the
-reader of the generated code and returns it. It is evaluated over expressions to generate code, and over
-rationals to make golden vectors, so it may use nothing but the algebra, + - * / and `root`.
+The formulas are in formulas.py.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Callable, Mapping, Tuple
+from typing import Callable, Mapping, Tuple, Union
 
-from algebra import OMEGA, Multivector, multivector, project, transform
-from elements import DIRECTION, MOTOR, POINT, Element
-from expression import root
-from polynomial import Polynomial, variables
-from simplify import linear_coefficients
+from algebra import Multivector
+from elements import DIRECTION, LINE, MOTOR, POINT, TANGENT, VECTOR, Element
+from formulas import (
+    LINE_FORMS,
+    LINE_UNIT_FORMS,
+    POINT_FORMS,
+    POINT_UNIT_FORMS,
+    VECTOR_FORMS,
+    VECTOR_UNIT_FORMS,
+    each_form,
+    motor_form,
+    normalize_quotient,
+    normalize_reciprocal,
+    point_commutator,
+    point_sandwich,
+    shifted_form,
+    shifted_matrix,
+    tangent_form,
+    vertex_form,
+)
+from polynomial import Polynomial, Quotient, variables
 
 Formula = Callable[..., Multivector]
 
@@ -40,10 +54,14 @@ class Input:
 
 @dataclass(frozen=True)
 class Pairing:
-    """How elements meet: which inputs are the same for the whole batch."""
+    """How elements meet: which inputs are the same for the whole batch.
+
+    `like` names the pairing whose arithmetic it is: only the way that the motors reach an element is different.
+    """
 
     name: str
     fixed: Tuple[str, ...] = ()
+    like: str = ""
 
 
 @dataclass(frozen=True)
@@ -53,116 +71,126 @@ class Kernel:
     formula: str  # for people
     source: str
     inputs: Tuple[Input, ...]
-    output: Element
+    outputs: Tuple[Element, ...]
     pairings: Tuple[Pairing, ...]
     forms: Tuple[Tuple[str, Formula], ...]  # the first is the definition
     # The variant for callers who promise S̄S = 1: its forms, and what the promise means for the symbols.
     unit_forms: Tuple[Tuple[str, Formula], ...] = ()
-    unit_relations: Mapping[str, Polynomial] = field(default_factory=dict)
+    unit_relations: Mapping[str, Union[Polynomial, Quotient]] = field(default_factory=dict)
+    mixed: bool = False  # computed in double, with motors of double and all else float
 
     @property
     def name(self) -> str:
-        return f"{self.verb}_{self.operand}"
+        return f"{self.verb}_{self.operand}" + ("_mixed" if self.mixed else "")
+
+    @property
+    def output_size(self) -> int:
+        return sum(output.size for output in self.outputs)
 
 
-# ------------------------------------------------------------------------------------------------------- formulas
-
-
-def alpha(S: Multivector):
-    """The e0 part of the image of e0, S̄S = α + βω (lemma 3.3)."""
-    return (~S * S)[""]
-
-
-def beta(S: Multivector):
-    return (~S * S)[OMEGA]
-
-
-def apply_sandwich(S, p, let):
-    """The definition: P(S̄ p S), divided by its e0 part."""
-    return transform(S, p) / let("alpha", alpha(S))
-
-
-def apply_sandwich_unit(S, p, let):
-    return transform(S, p)
-
-
-def half_commutator_image(S, p, let):
-    """P(S̄ (p∧S)): since S̄ p S = S̄S p + 2 S̄ (p∧S), this is half of what S moves p by, times α. Sparse."""
-    return project(~S * let("c", p.outer(S)))
-
-
-def apply_commutator(S, p, let):
-    return p + let("k", 2 / let("alpha", alpha(S))) * half_commutator_image(S, p, let)
-
-
-def apply_commutator_unit(S, p, let):
-    return p + 2 * half_commutator_image(S, p, let)
-
-
-def apply_matrix(S, p, let):
-    """The commutator form, expanded into an affine map: twelve coefficients of S, then a product with p."""
-    k = let("k", 2 / let("alpha", alpha(S)))
-    image = half_commutator_image(S, p, lambda name, value: value)
-    columns = {"1": "x", "2": "y", "3": "z"}
-    moved = {"0": p["0"]}
-    for row in columns:
-        coefficients = linear_coefficients(multivector(image[row])[""], tuple(columns.values()))
-        entries = [
-            let(f"m{row}{column}", (1 if row == column else 0) + k * coefficients.get(name, 0)) * p[column]
-            for column, name in columns.items()
-        ]
-        moved[row] = sum(entries, let(f"t{row}", k * coefficients[""]) if "" in coefficients else 0)
-    return Multivector(moved)
-
-
-def normalize_quotient(S, let):
-    """S divided by the square root of S̄S = α + βω (lemma 3.4 ii, then i)."""
-    a, b = let("alpha", alpha(S)), let("beta", beta(S))
-    return S * Multivector({"": 1, OMEGA: -(b / (2 * a))}) / root(a)
-
-
-def normalize_reciprocal(S, let):
-    """The same from one reciprocal r = 1/√α: the inverse of the root is (1 - ½βr²ω) r."""
-    r = let("r", 1 / root(let("alpha", alpha(S))))
-    q = let("q", let("half_beta", beta(S) / 2) * r * r)
-    return (S - S * Multivector({OMEGA: q})) * r
-
-
-_s, _b12, _b13, _b23 = variables("s b12 b13 b23")
-UNIT = {"s": 1 - _b12 * _b12 - _b13 * _b13 - _b23 * _b23}  # s² in a motor with α = 1
+# A motor with S̄S = 1: what s² is, since α = 1; and what w is unless s = 0, since β = 2(s w + ...) = 0. A polynomial
+# that vanishes on all such motors with s != 0 vanishes on those with s = 0 as well, their limits.
+_s, _b12, _b13, _b23, _b1i, _b2i, _b3i = variables("s b12 b13 b23 b1i b2i b3i")
+UNIT = {
+    "s": 1 - _b12 * _b12 - _b13 * _b13 - _b23 * _b23,
+    "w": Quotient(_b12 * _b3i - _b13 * _b2i + _b23 * _b1i, _s),
+}
 
 ONE = Pairing("one", fixed=("motor",))
 EACH = Pairing("each")
+APPLY_PAIRINGS = (ONE, EACH, Pairing("grid", fixed=("motor",), like="one"), Pairing("indexed", like="each"))
+SHIFT = ("before", "after")
+SHIFTED_PAIRINGS = tuple(Pairing(p.name, p.fixed + SHIFT, p.like) for p in APPLY_PAIRINGS)
 SHARED_CONTROLS = Pairing("one")  # blending accumulates term by term, so nothing is left for a prologue
 
-APPLY_FORMS = (("sandwich", apply_sandwich), ("commutator", apply_commutator), ("matrix", apply_matrix))
-APPLY_UNIT_FORMS = (("sandwich", apply_sandwich_unit), ("commutator", apply_commutator_unit))
 SCALAR = Element("weight", (("weight", ""),), meaning="a real number")
+SHIFTED_FORMS = (
+    ("sandwich", shifted_form(point_sandwich)),
+    ("commutator", shifted_form(point_commutator)),
+    ("matrix", shifted_matrix),
+)
+
+
+def as_tuple(results):
+    """What a formula returns, as one multivector an output."""
+    return results if isinstance(results, tuple) else (results,)
+
+
+def apply_kernel(operand, formula, source, inputs, forms, unit_forms) -> Kernel:
+    """`inputs` are what the motor is applied to, and the outputs are the same."""
+    outputs = tuple(i.element for i in inputs)
+    inputs = (Input("motor", MOTOR),) + inputs
+    return Kernel("apply", operand, formula, source, inputs, outputs, APPLY_PAIRINGS, forms, unit_forms, UNIT)
+
 
 KERNELS: Tuple[Kernel, ...] = (
-    Kernel(
-        "apply",
+    apply_kernel(
         "point",
         "P(S̄ p S) / α",
         "Hunt et al. (2017), section 3, lemmas 3.1 to 3.6",
-        (Input("motor", MOTOR), Input("point", POINT)),
-        POINT,
-        (ONE, EACH),
-        APPLY_FORMS,
-        APPLY_UNIT_FORMS,
-        UNIT,
+        (Input("point", POINT),),
+        POINT_FORMS,
+        POINT_UNIT_FORMS,
     ),
     Kernel(
         "apply",
+        "point",
+        "P(S̄ (p - before) S) / α + after",
+        "Hunt et al. (2017), section 3, lemmas 3.1 to 3.6",
+        (Input("motor", MOTOR), Input("before", DIRECTION, "before_"), Input("after", DIRECTION, "after_"),
+         Input("point", POINT)),
+        (POINT,),
+        SHIFTED_PAIRINGS,
+        SHIFTED_FORMS,
+        mixed=True,
+    ),
+    apply_kernel(
         "direction",
         "P(S̄ d S) / α",
         "Hunt et al. (2017), section 3, theorem 3.8",
-        (Input("motor", MOTOR), Input("direction", DIRECTION)),
-        DIRECTION,
-        (ONE, EACH),
-        APPLY_FORMS,
-        APPLY_UNIT_FORMS,
-        UNIT,
+        (Input("direction", DIRECTION),),
+        POINT_FORMS,
+        POINT_UNIT_FORMS,
+    ),
+    apply_kernel(
+        "tangent",
+        "P(S̄ d S) / α, and w",
+        "Hunt et al. (2017), section 3, theorem 3.8",
+        (Input("tangent", TANGENT, "t"),),
+        each_form(tangent_form, POINT_FORMS),
+        each_form(tangent_form, POINT_UNIT_FORMS),
+    ),
+    apply_kernel(
+        "vertex",
+        "P(S̄ p S) / α and P(S̄ d S) / α",
+        "Hunt et al. (2017), section 3, lemmas 3.1 to 3.6 and theorem 3.8",
+        (Input("position", POINT, "p"), Input("normal", DIRECTION, "n")),
+        each_form(vertex_form, POINT_FORMS),
+        each_form(vertex_form, POINT_UNIT_FORMS),
+    ),
+    apply_kernel(
+        "vector",
+        "Ū v U with U = S / √(S̄S)",
+        "Hunt et al. (2017), section 3, lemma 3.4 and corollary 3.7",
+        (Input("vector", VECTOR),),
+        VECTOR_FORMS,
+        VECTOR_UNIT_FORMS,
+    ),
+    apply_kernel(
+        "line",
+        "S^-1 ℓ S with S^-1 = S̄ / (S̄S)",
+        "Hunt et al. (2017), section 3, lemmas 3.4 and 3.11",
+        (Input("line", LINE),),
+        LINE_FORMS,
+        LINE_UNIT_FORMS,
+    ),
+    apply_kernel(
+        "motor",
+        "S^-1 M S with S^-1 = S̄ / (S̄S)",
+        "Hunt et al. (2017), section 3, lemmas 3.4 and 3.5",
+        (Input("moved", MOTOR, "m_"),),
+        each_form(motor_form, LINE_FORMS),
+        each_form(motor_form, LINE_UNIT_FORMS),
     ),
     Kernel(
         "compose",
@@ -170,7 +198,7 @@ KERNELS: Tuple[Kernel, ...] = (
         "first then: the geometric product, in which the left factor acts first",
         "Hunt et al. (2017), lemma 3.5",
         (Input("first", MOTOR, "f_"), Input("then", MOTOR, "t_")),
-        MOTOR,
+        (MOTOR,),
         (EACH,),
         (("product", lambda first, then, let: first * then),),
     ),
@@ -180,7 +208,7 @@ KERNELS: Tuple[Kernel, ...] = (
         "S̄",
         "Hunt et al. (2017), section 2",
         (Input("motor", MOTOR),),
-        MOTOR,
+        (MOTOR,),
         (EACH,),
         (("reverse", lambda S, let: ~S),),
     ),
@@ -190,7 +218,7 @@ KERNELS: Tuple[Kernel, ...] = (
         "S / √(S̄S)",
         "Hunt et al. (2017), lemma 3.4 and corollary 3.7",
         (Input("motor", MOTOR),),
-        MOTOR,
+        (MOTOR,),
         (EACH,),
         (("quotient", normalize_quotient), ("reciprocal", normalize_reciprocal)),
     ),
@@ -200,7 +228,7 @@ KERNELS: Tuple[Kernel, ...] = (
         "sum + weight control: one term of a weighted sum",
         "Hunt et al. (2017), section 4",
         (Input("sum", MOTOR, "sum_"), Input("weight", SCALAR), Input("control", MOTOR)),
-        MOTOR,
+        (MOTOR,),
         (SHARED_CONTROLS, EACH),
         (("term", lambda sum, weight, control, let: sum + weight[""] * control),),
     ),

@@ -6,6 +6,7 @@ are equal exactly when their dictionaries are, so `==` is a proof and not a test
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Dict, Mapping, Tuple, Union
 
@@ -114,9 +115,23 @@ class Polynomial:
             result = result + term
         return result
 
+    def replace_by_quotient(self, name: str, quotient: "Quotient") -> "Polynomial":
+        """The variable replaced by a quotient, times the power of its denominator that makes a polynomial of it."""
+        powers = {dict(monomial).get(name, 0) for monomial in self.terms}
+        degree = max(powers, default=0)
+        result = Polynomial()
+        for monomial, coefficient in self.terms.items():
+            power = dict(monomial).get(name, 0)
+            rest = Polynomial({tuple(factor for factor in monomial if factor[0] != name): coefficient})
+            result = result + rest * quotient.numerator**power * quotient.denominator ** (degree - power)
+        return result
+
+    def is_constant(self) -> bool:
+        return all(monomial == ONE for monomial in self.terms)
+
     def constant(self) -> Fraction:
         """The value of a polynomial without variables."""
-        if any(monomial != ONE for monomial in self.terms):
+        if not self.is_constant():
             raise ValueError(f"not a constant: {self}")
         return self.terms.get(ONE, Fraction(0))
 
@@ -141,6 +156,14 @@ class Polynomial:
                 factors.insert(0, str(abs(coefficient)))
             text.append(f"{sign} {'*'.join(factors)}")
         return " ".join(text).lstrip("+ ")
+
+
+@dataclass(frozen=True)
+class Quotient:
+    """What a variable is equal to wherever the denominator is not zero."""
+
+    numerator: Polynomial
+    denominator: Polynomial
 
 
 def multiply_monomials(m: Monomial, n: Monomial) -> Monomial:

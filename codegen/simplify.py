@@ -6,11 +6,11 @@ from collections import Counter
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
-from typing import Dict, FrozenSet, Mapping, Sequence, Tuple
+from typing import Dict, FrozenSet, Mapping, Sequence, Tuple, Union
 
 from expression import Expansion, Node, as_term, divide, expand, from_polynomial, multiply, named, root, sum_of
 from plan import Plan, make_plan, reachable
-from polynomial import ONE, Polynomial
+from polynomial import ONE, Polynomial, Quotient
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Choice:
     considered: Tuple[Tuple[str, Plan], ...]
 
 
-def choose(forms: Sequence[Form], element_symbols: FrozenSet[str], relations: Mapping[str, Polynomial]) -> Choice:
+def choose(forms: Sequence[Form], element_symbols: FrozenSet[str], relations: Mapping[str, Union[Polynomial, Quotient]]) -> Choice:
     """The cheapest of several forms, after proving that they are all equal (modulo the relations)."""
     prove_equal(forms, relations)
     plans = []
@@ -41,7 +41,7 @@ def choose(forms: Sequence[Form], element_symbols: FrozenSet[str], relations: Ma
     return Choice(*plans[best], considered=tuple((form.name, plan) for form, plan in plans))
 
 
-def prove_equal(forms: Sequence[Form], relations: Mapping[str, Polynomial]) -> None:
+def prove_equal(forms: Sequence[Form], relations: Mapping[str, Union[Polynomial, Quotient]]) -> None:
     """Raise unless every form is exactly equal to the first."""
     definition = [expand(output) for output in forms[0].outputs]
     for form in forms[1:]:
@@ -53,7 +53,7 @@ def prove_equal(forms: Sequence[Form], relations: Mapping[str, Polynomial]) -> N
 def linear_coefficients(n: Node, names: Sequence[str]) -> Dict[str, Node]:
     """The coefficients of each of the named symbols in a polynomial that is linear in them, and of 1 under ""."""
     expansion: Expansion = expand(n)
-    if expansion.denominator != 1:
+    if expansion.factors:
         raise ValueError("linear_coefficients takes a polynomial")
     result = {}
     for monomial, coefficient in expansion.numerator.collect(names).items():

@@ -1,10 +1,11 @@
 // The C API: validate, look up, call, return a status.
-#include "dispatch.h"
+#include "kernel_call.h"
 #include "motion.h"
 #include "motorway.h"
 #include "view.h"
 
 #include <cmath>
+#include <initializer_list>
 
 namespace motorway {
 namespace {
@@ -13,20 +14,21 @@ template <class T> const T *numbers_of(const mw_motor_f32 *motors) { return rein
 template <class T> const T *numbers_of(const mw_motor_f64 *motors) { return reinterpret_cast<const T *>(motors); }
 static_assert(sizeof(mw_motor_f32) == 8 * sizeof(float) && sizeof(mw_motor_f64) == 8 * sizeof(double));
 
-// A validated call of a kernel.
-template <class T> mw_status run(kernel_id id, const call<T> &arguments)
+// A validated call of a kernel of one or two streams.
+template <class T, int N>
+mw_status run(kernel_id id, const view<T, N> &out, std::initializer_list<stream<const T>> in, std::size_t count)
 {
+    const stream<T> to = out.as_stream();
+    call<T> arguments;
+    arguments.out = &to;
+    arguments.in = in.begin();
+    arguments.count = count;
     find<T>(*kernels(), id)(arguments);
     return MW_OK;
 }
 
-// Whether the library can run at all, and whether there is anything to do.
-mw_status check_call(unsigned flags, unsigned known_flags)
-{
-    if (!kernels())
-        return MW_ERROR_ISA;
-    return flags & ~known_flags ? MW_ERROR_FLAGS : MW_OK;
-}
+// Whether the library can run at all.
+mw_status check_call() { return kernels() ? MW_OK : MW_ERROR_ISA; }
 
 // The views of a call, of one input or of two.
 template <class T, int N, int M>
@@ -49,57 +51,30 @@ mw_status check_views(const view<T, N> &out, const view<const T, M> &first, cons
         [&] { return check_overlap(out, first, count); }, [&] { return check_overlap(out, second, count); });
 }
 
-template <class T>
-mw_status apply_one(kernel_id id, const view<T, 3> &out, const T *motor, const view<const T, 3> &in, std::size_t count,
-                    unsigned flags)
-{
-    const mw_status called = check_call(flags, MW_UNIT_MOTORS);
-    if (called != MW_OK || count == 0)
-        return called;
-    const mw_status status =
-        first_error(check_array(motor, 8), [&] { return check_views(out, in, count); },
-                    [&] { return check_overlap(out, motor, 8, count); },
-                    [&] { return is_degenerate(motor) ? MW_ERROR_DEGENERATE_MOTOR : MW_OK; });
-    if (status != MW_OK)
-        return status;
-    const stream<const T> in_stream = in.as_stream();
-    return run<T>(id, {out.as_stream(), &in_stream, motor, 0, count});
-}
-
 // Kernels of one or of two streams.
 template <class T, int N, int M>
 mw_status stream_one(kernel_id id, const view<T, N> &out, const view<const T, M> &in, std::size_t count)
 {
-    const mw_status called = check_call(MW_DEFAULT, MW_DEFAULT);
+    const mw_status called = check_call();
     if (called != MW_OK || count == 0)
         return called;
     const mw_status status = check_views(out, in, count);
     if (status != MW_OK)
         return status;
-    const stream<const T> in_stream = in.as_stream();
-    return run<T>(id, {out.as_stream(), &in_stream, nullptr, 0, count});
+    return run<T>(id, out, {in.as_stream()}, count);
 }
 
 template <class T, int N, int M, int L>
 mw_status stream_two(kernel_id id, const view<T, N> &out, const view<const T, M> &first,
                      const view<const T, L> &second, std::size_t count)
 {
-    const mw_status called = check_call(MW_DEFAULT, MW_DEFAULT);
+    const mw_status called = check_call();
     if (called != MW_OK || count == 0)
         return called;
     const mw_status status = check_views(out, first, second, count);
     if (status != MW_OK)
         return status;
-    const stream<const T> in[] = {first.as_stream(), second.as_stream()};
-    return run<T>(id, {out.as_stream(), in, nullptr, 0, count});
-}
-
-template <class T>
-mw_status apply_each(kernel_id any, kernel_id unit, const view<T, 3> &out, const view<const T, 8> &motors,
-                     const view<const T, 3> &in, std::size_t count, unsigned flags)
-{
-    const mw_status called = check_call(flags, MW_UNIT_MOTORS);
-    return called != MW_OK ? called : stream_two(flags & MW_UNIT_MOTORS ? unit : any, out, motors, in, count);
+    return run<T>(id, out, {first.as_stream(), second.as_stream()}, count);
 }
 
 // ------------------------------------------------------------------------------------------------------ blends
@@ -131,7 +106,7 @@ template <class T>
 mw_status blend_one(const view<T, 8> &out, const T *controls, const blend_weights<T> &weights, std::size_t terms,
                     std::size_t count)
 {
-    const mw_status called = check_call(MW_DEFAULT, MW_DEFAULT);
+    const mw_status called = check_call();
     if (called != MW_OK || count == 0)
         return called;
     if (terms > PTRDIFF_MAX / (8 * sizeof(T)))
@@ -143,14 +118,15 @@ mw_status blend_one(const view<T, 8> &out, const T *controls, const blend_weight
     if (status != MW_OK)
         return status;
     const stream<const T> in = weights.as_stream();
-    return run<T>(kernel_id::blend_motor_one, {out.as_stream(), &in, controls, terms, count});
+    run_blend(*kernels(), kernel_id::blend_motor_one, out, &in, controls, terms, count);
+    return MW_OK;
 }
 
 template <class T, class Motors>
 mw_status blend_each(const view<T, 8> &out, const Motors *controls, const blend_weights<T> &weights,
                      std::size_t terms, std::size_t count)
 {
-    const mw_status called = check_call(MW_DEFAULT, MW_DEFAULT);
+    const mw_status called = check_call();
     if (called != MW_OK || count == 0)
         return called;
     if (terms > MW_MAX_TERMS)
@@ -165,7 +141,9 @@ mw_status blend_each(const view<T, 8> &out, const Motors *controls, const blend_
         in[1 + k] = views[k].as_stream();
         status = first_error(check_view(views[k], count), [&] { return check_overlap(out, views[k], count); });
     }
-    return status != MW_OK ? status : run<T>(kernel_id::blend_motor_each, {out.as_stream(), in, nullptr, terms, count});
+    if (status == MW_OK)
+        run_blend<T>(*kernels(), kernel_id::blend_motor_each, out, in, nullptr, terms, count);
+    return status;
 }
 
 // ----------------------------------------------------------------------------------------------------- motions
@@ -184,7 +162,7 @@ template <class T, class Motion>
 mw_status sample(const view<T, 8> &out, const Motion *motion, const T *parameters, std::size_t count)
 {
     const mw_status called =
-        first_error(check_call(MW_DEFAULT, MW_DEFAULT), [&] { return count ? check_motion<T>(motion, nullptr) : MW_OK; });
+        first_error(check_call(), [&] { return count ? check_motion<T>(motion, nullptr) : MW_OK; });
     if (called != MW_OK || count == 0)
         return called;
     const bspline<T> spline = bspline_of<T>(*motion);
@@ -265,11 +243,16 @@ const char *mw_status_text(mw_status status)
     case MW_OK: return "success";
     case MW_ERROR_NULL: return "a pointer is null; only a call with count 0 may pass null";
     case MW_ERROR_STRIDE:
-        return "a stride is smaller than the element, or components of one view share bytes; strides are in bytes";
+        return "a stride is smaller than the element, or components of one view or rows of a grid share bytes; strides "
+               "are in bytes";
     case MW_ERROR_SIZE: return "count times stride is larger than the address space";
     case MW_ERROR_OVERLAP:
         return "the output shares bytes with an input; pass exactly the same view to work in place, else keep them apart";
-    case MW_ERROR_FLAGS: return "a flag that this function does not know; pass MW_DEFAULT or flags named in its text";
+    case MW_ERROR_FLAGS:
+        return "a flag that this function does not know, or two that contradict each other; pass MW_DEFAULT or flags "
+               "named in its text";
+    case MW_ERROR_INDEX: return "an index is not below the number of motors in the palette";
+    case MW_ERROR_INDEX_TYPE: return "the type of indices is MW_INDEX_U8, MW_INDEX_U16 or MW_INDEX_U32";
     case MW_ERROR_DEGENERATE_MOTOR:
         return "a motor whose alpha (s^2 + b12^2 + b13^2 + b23^2) is zero, subnormal, infinite or NaN moves nothing";
     case MW_ERROR_AXIS: return "the rotation axis has length zero, or a number is not finite";
@@ -298,31 +281,6 @@ const char *mw_isas(void) { return isa_names(); }
     mw_status mw_check_motors_##P(mw_const_motors_##P motors, size_t count, size_t *first_bad)                        \
     {                                                                                                                 \
         return check_motors<T>(view_of_motors<const T>(motors), count, first_bad);                                    \
-    }                                                                                                                 \
-    mw_status mw_apply_point_one_##P(mw_xyz_##P out, const mw_motor_##P *motor, mw_const_xyz_##P points,              \
-                                     size_t count, unsigned flags)                                                    \
-    {                                                                                                                 \
-        return apply_one<T>(kernel_id::apply_point_one, view_of_xyz<T>(out), numbers_of<T>(motor),                    \
-                            view_of_xyz<const T>(points), count, flags);                                              \
-    }                                                                                                                 \
-    mw_status mw_apply_direction_one_##P(mw_xyz_##P out, const mw_motor_##P *motor, mw_const_xyz_##P directions,      \
-                                         size_t count, unsigned flags)                                                \
-    {                                                                                                                 \
-        return apply_one<T>(kernel_id::apply_direction_one, view_of_xyz<T>(out), numbers_of<T>(motor),                \
-                            view_of_xyz<const T>(directions), count, flags);                                          \
-    }                                                                                                                 \
-    mw_status mw_apply_point_each_##P(mw_xyz_##P out, mw_const_motors_##P motors, mw_const_xyz_##P points,            \
-                                      size_t count, unsigned flags)                                                   \
-    {                                                                                                                 \
-        return apply_each<T>(kernel_id::apply_point_each, kernel_id::apply_point_each_unit, view_of_xyz<T>(out),      \
-                             view_of_motors<const T>(motors), view_of_xyz<const T>(points), count, flags);            \
-    }                                                                                                                 \
-    mw_status mw_apply_direction_each_##P(mw_xyz_##P out, mw_const_motors_##P motors, mw_const_xyz_##P directions,    \
-                                          size_t count, unsigned flags)                                               \
-    {                                                                                                                 \
-        return apply_each<T>(kernel_id::apply_direction_each, kernel_id::apply_direction_each_unit,                   \
-                             view_of_xyz<T>(out), view_of_motors<const T>(motors), view_of_xyz<const T>(directions),  \
-                             count, flags);                                                                           \
     }                                                                                                                 \
     mw_status mw_compose_motor_each_##P(mw_motors_##P out, mw_const_motors_##P first, mw_const_motors_##P then,       \
                                         size_t count)                                                                 \

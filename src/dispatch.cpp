@@ -86,21 +86,22 @@ text make_isa_error()
     return error;
 }
 
-// Null until the first call; `nothing` if MOTORWAY_ISA asked for what cannot run.
-std::atomic<const kernel_table *> selected{nullptr};
+// Selected if MOTORWAY_ISA asked for what cannot run. It has no name.
 const kernel_table nothing{};
 
 } // namespace
 
-const kernel_table *kernels()
+std::atomic<const kernel_table *> selected_kernels{nullptr};
+
+const kernel_table *select_kernels()
 {
-    const kernel_table *table = selected.load(std::memory_order_acquire);
+    const kernel_table *table = selected_kernels.load(std::memory_order_acquire);
     if (!table) {
         // Threads that get here at once all find the same; the first to store wins.
         const kernel_table *found = find_isa(requested_isa());
         table = found ? found : &nothing;
         const kernel_table *expected = nullptr;
-        if (!selected.compare_exchange_strong(expected, table, std::memory_order_acq_rel))
+        if (!selected_kernels.compare_exchange_strong(expected, table, std::memory_order_acq_rel))
             table = expected;
     }
     return table == &nothing ? nullptr : table;
@@ -110,7 +111,7 @@ bool select_isa(const char *name)
 {
     const kernel_table *table = find_isa(name);
     if (table)
-        selected.store(table, std::memory_order_release);
+        selected_kernels.store(table, std::memory_order_release);
     return table != nullptr;
 }
 

@@ -3,10 +3,20 @@
 
 #include "kernel/call.h"
 
+#include <atomic>
+
 namespace motorway {
 
-// The table in use, chosen at the first call; null if MOTORWAY_ISA asked for one that cannot run here.
-const kernel_table *kernels();
+// The table in use: null until one is chosen, which the first call does.
+extern std::atomic<const kernel_table *> selected_kernels;
+const kernel_table *select_kernels();
+
+// The table in use; null if MOTORWAY_ISA asked for one that cannot run here.
+inline const kernel_table *kernels()
+{
+    const kernel_table *table = selected_kernels.load(std::memory_order_acquire);
+    return __builtin_expect(table && table->isa, true) ? table : select_kernels();
+}
 
 // For tests and benchmarks: use this instruction set from now on. False, and no change, if it cannot run here.
 bool select_isa(const char *name);

@@ -1,6 +1,6 @@
 #include "motion.h"
 
-#include "dispatch.h"
+#include "kernel_call.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,7 +105,7 @@ mw_status sample_bspline(const kernel_table &table, const view<T, 8> &out, const
         blossom_weights(motion, span, parameters + i, run, weights);
         const view<T, 8> rest = out.from(i);
         const T *controls = motion.controls + 8 * (span + 1 - motion.degree);
-        find<T>(table, kernel_id::blend_motor_one)({rest.as_stream(), &weight_stream, controls, motion.degree + 1u, run});
+        run_blend(table, kernel_id::blend_motor_one, rest, &weight_stream, controls, motion.degree + 1u, run);
     }
     return MW_OK;
 }

@@ -20,7 +20,8 @@
  *     mw_xyz_f32_soa(x, y, z)      three arrays         stride 4
  *
  * All three are fast paths, and a stride need not be a multiple of the alignment of the type. The components of one
- * view may not share bytes.
+ * view may not share bytes. A job takes elements [begin, begin + count) of a batch by mw_xyz_f32_from(view, begin),
+ * which every view has; what the ranges give together is what the whole would, to the last bit.
  *
  * RULES that hold for every function unless its own text says otherwise:
  * - Units are the caller's; angles are radians. Right-handed rotations: from e1 to e2 about e3.
@@ -30,12 +31,13 @@
  * - An input may be `out` itself (the same pointers and stride): that works in place. Interleaved views of one
  *   buffer, which have the same stride and no byte in common, are fine. Anything else is MW_ERROR_OVERLAP.
  * - Time is linear in the count, and memory is constant: no function allocates, locks, starts a thread or keeps
- *   state. All may be called from any thread at once. Split a batch over threads by advancing the views.
+ *   state. All may be called from any thread at once: split a batch over threads by _from.
  * - An element of the result depends on its own inputs alone, to the last bit: not on its place, the count, the
  *   alignment, the layout or the thread; nor on the instruction set within the class of those that fuse a multiply
  *   with an add (avx2, avx512, neon64) or of those that do not (scalar, sse2).
  * - NaN and infinity in an element stay in that element of the result.
- * - f32 functions compute in float, f64 functions in double. Each pair is described once, at its f32 form.
+ * - f32 functions compute in float, f64 functions in double. Each pair is described once, at its f32 form. `mixed`
+ *   functions compute in double with motors of double and read and write floats.
  *
  * INSTRUCTION SETS are chosen when the library is first called, the widest that the CPU has. The environment
  * variable MOTORWAY_ISA (scalar, sse2, avx2, avx512 or neon64) overrides that; if it asks for one that cannot run
@@ -45,6 +47,7 @@
 #define MOTORWAY_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #define MW_VERSION_MAJOR 0
 #define MW_VERSION_MINOR 1
@@ -65,7 +68,9 @@ typedef enum mw_status {
     MW_ERROR_STRIDE,           /* a stride smaller than the element: components of one view share bytes */
     MW_ERROR_SIZE,             /* count times stride overflows the address space */
     MW_ERROR_OVERLAP,          /* `out` shares bytes with an input without being exactly that input */
-    MW_ERROR_FLAGS,            /* a flag that this function does not know */
+    MW_ERROR_FLAGS,            /* a flag that this function does not know, or two that contradict each other */
+    MW_ERROR_INDEX,            /* an index that is not below the number of motors in the palette */
+    MW_ERROR_INDEX_TYPE,       /* not one of mw_index_type */
     MW_ERROR_DEGENERATE_MOTOR, /* a motor whose α is zero, subnormal, infinite or NaN */
     MW_ERROR_AXIS,             /* a rotation axis of length zero, or a number that is not finite */
     MW_ERROR_DEGREE,           /* a degree of 0 or above MW_MAX_DEGREE */
@@ -92,100 +97,162 @@ const char *mw_isas(void);
 
 enum {
     MW_DEFAULT = 0,
-    /* The caller promises that every motor is normalised, S̄S = 1 to rounding, which saves a division an element.
-     * If one is not, what it moves its element by comes out multiplied by its α. */
-    MW_UNIT_MOTORS = 1
+    /* The caller promises that every motor is normalised, S̄S = 1 to rounding. That saves a division an element where
+     * each has its own motor, and nothing elsewhere. If one is not, its results are wrong: points move by α times as
+     * much as they should. */
+    MW_UNIT_MOTORS = 1,
+    /* Results go past the caches straight to memory, or never do. Without either flag they do where that is faster:
+     * if the call moves more bytes than MW_STREAMING_BYTES, out of place. Only points, directions and vertices can, if
+     * they are packed or one array a component; a grid only row by row; and only if some element of all components
+     * begins a cache line, which takes bases that are multiples of sizeof(T) and agree modulo 64. The flag is no
+     * error where they cannot. It never changes a result. */
+    MW_STREAMING_STORES = 2,
+    MW_NO_STREAMING_STORES = 4
 };
+
+/* What a call reads and writes together from which on its results bypass the caches. */
+enum { MW_STREAMING_BYTES = 32 << 20 };
 
 /* -------------------------------------------------------------------------------------------- data and views --- */
 
 typedef struct mw_motor_f32 { float s, b12, b13, b23, b1i, b2i, b3i, w; } mw_motor_f32;
 typedef struct mw_motor_f64 { double s, b12, b13, b23, b1i, b2i, b3i, w; } mw_motor_f64;
 
-/* Points or directions: x, y and z of element i are at byte offset i * stride from x, y and z. */
-typedef struct mw_xyz_f32 { float *x, *y, *z; size_t stride; } mw_xyz_f32;
-typedef struct mw_xyz_f64 { double *x, *y, *z; size_t stride; } mw_xyz_f64;
-typedef struct mw_const_xyz_f32 { const float *x, *y, *z; size_t stride; } mw_const_xyz_f32;
-typedef struct mw_const_xyz_f64 { const double *x, *y, *z; size_t stride; } mw_const_xyz_f64;
-
-/* Motors, likewise. */
-typedef struct mw_motors_f32 { float *s, *b12, *b13, *b23, *b1i, *b2i, *b3i, *w; size_t stride; } mw_motors_f32;
-typedef struct mw_motors_f64 { double *s, *b12, *b13, *b23, *b1i, *b2i, *b3i, *w; size_t stride; } mw_motors_f64;
-typedef struct mw_const_motors_f32 {
-    const float *s, *b12, *b13, *b23, *b1i, *b2i, *b3i, *w;
-    size_t stride;
-} mw_const_motors_f32;
-typedef struct mw_const_motors_f64 {
-    const double *s, *b12, *b13, *b23, *b1i, *b2i, *b3i, *w;
-    size_t stride;
-} mw_const_motors_f64;
-
-/* Views are made by
- *     mw_[const_]xyz_f32_aos(first, stride)       x, y, z adjacent at `first`, `stride` bytes from element to element
- *     mw_[const_]xyz_f32_soa(x, y, z)             one array a component
- *     mw_[const_]motors_f32_aos(first, stride)    mw_motor_f32 at `first`, `stride` bytes from element to element
- *     mw_[const_]motors_f32_soa(components)       eight arrays, in the order of the paper: s, b12, b13, ... w
+/* The views, each in four versions: mw_xyz_f32 and mw_xyz_f64, and mw_const_xyz_f32 and mw_const_xyz_f64 for inputs.
+ * They have a pointer a component and the stride: component c of element i is at byte offset i * stride from c.
+ *
+ *     mw_xyz       x y z                          points and directions
+ *     mw_xyzw      x y z w                        tangents: a direction, and a w that stays what it is
+ *     mw_vectors   e0 e1 e2 e3 ei                 grade 1: points, spheres and planes (ei: the coefficient of e∞)
+ *     mw_lines     dx dy dz mx my mz              Plücker: the direction d, and the moment p × d of any point p on it
+ *     mw_motors    s b12 b13 b23 b1i b2i b3i w    motors, in the order of the paper
+ *
+ * They are made by
+ *     mw_[const_]xyz_f32_aos(first, stride)    components adjacent at `first`, `stride` bytes from element to element;
+ *                                              `first` points to a float, or for motors to a mw_motor_f32
+ *     mw_[const_]xyz_f32_soa(components)       one array a component: an array of as many pointers, in that order;
+ *                                              for xyz alone three arguments, x, y and z
+ *     mw_[const_]xyz_f32_from(view, begin)     the elements of a view from number `begin` on
  * and the same for f64. They check nothing. */
-#define MW_DEFINE_VIEWS(precision, T, qualifier, prefix)                                                              \
-    static inline mw_##prefix##xyz_##precision mw_##prefix##xyz_##precision##_aos(qualifier T *first, size_t stride)  \
+#define MW_COMPONENTS_xyz(use, T) use(x, T) use(y, T) use(z, T)
+#define MW_COMPONENTS_xyzw(use, T) use(x, T) use(y, T) use(z, T) use(w, T)
+#define MW_COMPONENTS_vectors(use, T) use(e0, T) use(e1, T) use(e2, T) use(e3, T) use(ei, T)
+#define MW_COMPONENTS_lines(use, T) use(dx, T) use(dy, T) use(dz, T) use(mx, T) use(my, T) use(mz, T)
+#define MW_COMPONENTS_motors(use, T)                                                                                  \
+    use(s, T) use(b12, T) use(b13, T) use(b23, T) use(b1i, T) use(b2i, T) use(b3i, T) use(w, T)
+
+#define MW_DECLARE(component, T) T *component;
+#define MW_SET_ADJACENT(component, T) view.component = first ? (T *)first + k++ : NULL;
+#define MW_SET_ARRAY(component, T) view.component = components[k++];
+#define MW_ADVANCE(component, T)                                                                                      \
+    if (view.component)                                                                                               \
+        view.component = (T *)((uintptr_t)view.component + begin * view.stride);
+
+#define MW_DEFINE_VIEW(view_type, components_of, T, element, soa)                                                     \
+    typedef struct view_type { components_of(MW_DECLARE, T) size_t stride; } view_type;                               \
+    static inline view_type view_type##_aos(element *first, size_t stride)                                            \
     {                                                                                                                 \
-        mw_##prefix##xyz_##precision view;                                                                            \
-        view.x = first;                                                                                               \
-        view.y = first ? first + 1 : NULL;                                                                            \
-        view.z = first ? first + 2 : NULL;                                                                            \
-        view.stride = stride;                                                                                         \
+        view_type view;                                                                                               \
+        int k = 0;                                                                                                    \
+        components_of(MW_SET_ADJACENT, T) view.stride = stride;                                                       \
         return view;                                                                                                  \
     }                                                                                                                 \
-    static inline mw_##prefix##xyz_##precision mw_##prefix##xyz_##precision##_soa(qualifier T *x, qualifier T *y,     \
-                                                                                  qualifier T *z)                     \
+    static inline view_type view_type##soa(T *const *components)                                                      \
     {                                                                                                                 \
-        mw_##prefix##xyz_##precision view;                                                                            \
-        view.x = x;                                                                                                   \
-        view.y = y;                                                                                                   \
-        view.z = z;                                                                                                   \
-        view.stride = sizeof(T);                                                                                      \
+        view_type view;                                                                                               \
+        int k = 0;                                                                                                    \
+        components_of(MW_SET_ARRAY, T) view.stride = sizeof(T);                                                       \
         return view;                                                                                                  \
     }                                                                                                                 \
-    static inline mw_##prefix##motors_##precision mw_##prefix##motors_##precision##_aos(                              \
-        qualifier mw_motor_##precision *first, size_t stride)                                                         \
+    static inline view_type view_type##_from(view_type view, size_t begin)                                            \
     {                                                                                                                 \
-        mw_##prefix##motors_##precision view = {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0};                   \
-        if (first) {                                                                                                  \
-            view.s = &first->s;                                                                                       \
-            view.b12 = &first->b12;                                                                                   \
-            view.b13 = &first->b13;                                                                                   \
-            view.b23 = &first->b23;                                                                                   \
-            view.b1i = &first->b1i;                                                                                   \
-            view.b2i = &first->b2i;                                                                                   \
-            view.b3i = &first->b3i;                                                                                   \
-            view.w = &first->w;                                                                                       \
-        }                                                                                                             \
-        view.stride = stride;                                                                                         \
-        return view;                                                                                                  \
-    }                                                                                                                 \
-    static inline mw_##prefix##motors_##precision mw_##prefix##motors_##precision##_soa(                              \
-        qualifier T *const components[8])                                                                             \
-    {                                                                                                                 \
-        mw_##prefix##motors_##precision view;                                                                         \
-        view.s = components[0];                                                                                       \
-        view.b12 = components[1];                                                                                     \
-        view.b13 = components[2];                                                                                     \
-        view.b23 = components[3];                                                                                     \
-        view.b1i = components[4];                                                                                     \
-        view.b2i = components[5];                                                                                     \
-        view.b3i = components[6];                                                                                     \
-        view.w = components[7];                                                                                       \
-        view.stride = sizeof(T);                                                                                      \
-        return view;                                                                                                  \
+        components_of(MW_ADVANCE, T) return view;                                                                     \
     }
 
-#define MW_MUTABLE
-MW_DEFINE_VIEWS(f32, float, MW_MUTABLE, )
-MW_DEFINE_VIEWS(f32, float, const, const_)
-MW_DEFINE_VIEWS(f64, double, MW_MUTABLE, )
-MW_DEFINE_VIEWS(f64, double, const, const_)
-#undef MW_MUTABLE
+/* Of every view, the four versions. `element` is what its packed form is an array of. */
+#define MW_DEFINE_VIEWS(name, element_f32, element_f64, soa)                                                          \
+    MW_DEFINE_VIEW(mw_##name##_f32, MW_COMPONENTS_##name, float, element_f32, soa)                                    \
+    MW_DEFINE_VIEW(mw_##name##_f64, MW_COMPONENTS_##name, double, element_f64, soa)                                   \
+    MW_DEFINE_VIEW(mw_const_##name##_f32, MW_COMPONENTS_##name, const float, const element_f32, soa)                  \
+    MW_DEFINE_VIEW(mw_const_##name##_f64, MW_COMPONENTS_##name, const double, const element_f64, soa)
+
+MW_DEFINE_VIEWS(xyz, float, double, _soa_of)
+MW_DEFINE_VIEWS(xyzw, float, double, _soa)
+MW_DEFINE_VIEWS(vectors, float, double, _soa)
+MW_DEFINE_VIEWS(lines, float, double, _soa)
+MW_DEFINE_VIEWS(motors, mw_motor_f32, mw_motor_f64, _soa)
+
+#define MW_DEFINE_XYZ_SOA(view_type, T)                                                                               \
+    static inline view_type view_type##_soa(T *x, T *y, T *z)                                                         \
+    {                                                                                                                 \
+        T *components[3];                                                                                             \
+        components[0] = x, components[1] = y, components[2] = z;                                                      \
+        return view_type##_soa_of(components);                                                                        \
+    }
+MW_DEFINE_XYZ_SOA(mw_xyz_f32, float)
+MW_DEFINE_XYZ_SOA(mw_xyz_f64, double)
+MW_DEFINE_XYZ_SOA(mw_const_xyz_f32, const float)
+MW_DEFINE_XYZ_SOA(mw_const_xyz_f64, const double)
+
+/* Positions and normals of vertices, each a view of its own: of one interleaved buffer
+ *     {mw_xyz_f32_aos(&vertex[0].position, sizeof vertex[0]), mw_xyz_f32_aos(&vertex[0].normal, sizeof vertex[0])}
+ * or wherever they lie. mw_[const_]vertices_f32_from(view, begin), and the same for f64. */
+#define MW_DEFINE_VERTICES(view_type, xyz_type)                                                                       \
+    typedef struct view_type { xyz_type position, normal; } view_type;                                                \
+    static inline view_type view_type##_from(view_type view, size_t begin)                                            \
+    {                                                                                                                 \
+        view.position = xyz_type##_from(view.position, begin);                                                        \
+        view.normal = xyz_type##_from(view.normal, begin);                                                            \
+        return view;                                                                                                  \
+    }
+MW_DEFINE_VERTICES(mw_vertices_f32, mw_xyz_f32)
+MW_DEFINE_VERTICES(mw_vertices_f64, mw_xyz_f64)
+MW_DEFINE_VERTICES(mw_const_vertices_f32, mw_const_xyz_f32)
+MW_DEFINE_VERTICES(mw_const_vertices_f64, mw_const_xyz_f64)
+
+#undef MW_COMPONENTS_xyz
+#undef MW_COMPONENTS_xyzw
+#undef MW_COMPONENTS_vectors
+#undef MW_COMPONENTS_lines
+#undef MW_COMPONENTS_motors
+#undef MW_DECLARE
+#undef MW_SET_ADJACENT
+#undef MW_SET_ARRAY
+#undef MW_ADVANCE
+#undef MW_DEFINE_VIEW
 #undef MW_DEFINE_VIEWS
+#undef MW_DEFINE_XYZ_SOA
+#undef MW_DEFINE_VERTICES
+
+/* One index an element, into a palette of motors: at byte offset i * stride from `first`, of any alignment, so that it
+ * may be a field of a vertex. */
+typedef enum mw_index_type { MW_INDEX_U8 = 1, MW_INDEX_U16 = 2, MW_INDEX_U32 = 4 } mw_index_type;
+typedef struct mw_indices { const void *first; size_t stride; mw_index_type type; } mw_indices;
+
+static inline mw_indices mw_indices_u8(const uint8_t *first, size_t stride)
+{
+    mw_indices indices;
+    indices.first = first, indices.stride = stride, indices.type = MW_INDEX_U8;
+    return indices;
+}
+static inline mw_indices mw_indices_u16(const uint16_t *first, size_t stride)
+{
+    mw_indices indices;
+    indices.first = first, indices.stride = stride, indices.type = MW_INDEX_U16;
+    return indices;
+}
+static inline mw_indices mw_indices_u32(const uint32_t *first, size_t stride)
+{
+    mw_indices indices;
+    indices.first = first, indices.stride = stride, indices.type = MW_INDEX_U32;
+    return indices;
+}
+static inline mw_indices mw_indices_from(mw_indices indices, size_t begin)
+{
+    if (indices.first)
+        indices.first = (const char *)indices.first + begin * indices.stride;
+    return indices;
+}
 
 /* ---------------------------------------------------------------------------------------------- making motors --- */
 
@@ -208,30 +275,85 @@ mw_status mw_check_motors_f64(mw_const_motors_f64 motors, size_t count, size_t *
 
 /* ------------------------------------------------------------------------------------------ applying motors --- */
 
-/* out[i] = F_S(points[i]), the points moved by one motor, which need not be normalised (the paper's section 3).
- * The motor is expanded once into twelve coefficients; then it is 9 fused multiply-adds a point.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS; MW_ERROR_DEGENERATE_MOTOR. */
-mw_status mw_apply_point_one_f32(mw_xyz_f32 out, const mw_motor_f32 *motor, mw_const_xyz_f32 points, size_t count,
-                                 unsigned flags);
-mw_status mw_apply_point_one_f64(mw_xyz_f64 out, const mw_motor_f64 *motor, mw_const_xyz_f64 points, size_t count,
-                                 unsigned flags);
+/* mw_apply_<operand>_<pairing>_<precision>: every operand in every pairing.
+ *
+ *     operand     view          what becomes of an element under the motor S (the paper's section 3)
+ *     point       mw_xyz        F_S(p): rotated and translated
+ *     direction   mw_xyz        rotated: normals, velocities
+ *     tangent     mw_xyzw       x y z rotated, w passed through, as glTF and engines store tangents
+ *     vertex      mw_vertices   a point and a direction in one pass
+ *     vector      mw_vectors    moved as a whole: of a point, a sphere or a plane the same of its image
+ *     line        mw_lines      the line through the images of its points; its length is kept
+ *     motor       mw_motors     T^-1 M T of the motor M under T: the same motion about the moved place
+ *
+ *     pairing     out[i] is element i ...
+ *     one         under `motor`, the same for all
+ *     each        under motors[i]
+ *     indexed     under palette[indices[i]]: rigid parts, instances
+ *     grid        under motors[m], for every m: out holds motor_count rows of count elements, and row m begins
+ *                 m * row_stride bytes after row 0. Rows one after the other (motor-major) have row_stride >= count *
+ *                 out.stride; elements one after the other (point-major), each with its motor_count images side by
+ *                 side, have out.stride >= motor_count * row_stride. One of the two must hold.
+ *
+ * Motors need not be normalised, in any of them. Flags: MW_UNIT_MOTORS, MW_STREAMING_STORES, MW_NO_STREAMING_STORES.
+ *
+ * Errors of all: MW_ERROR_NULL, MW_ERROR_STRIDE (of grid also: rows that run into each other), MW_ERROR_SIZE,
+ * MW_ERROR_OVERLAP, MW_ERROR_FLAGS. `one` also MW_ERROR_DEGENERATE_MOTOR; the others do not look: a degenerate motor
+ * makes results that are not finite or meaningless, of its own elements alone (mw_check_motors). A grid is never in
+ * place: the range of its output, gaps included, meets no input.
+ * Indices are not looked at either: one past the palette reads outside of it. Use mw_check_indices once a mesh, or
+ * mw_apply_<operand>_indexed_checked, which looks at all of them first and writes nothing if one is out of range:
+ * MW_ERROR_INDEX, and *first_bad (unless that pointer is null) is the number of the first such element. Both also
+ * MW_ERROR_INDEX_TYPE.
+ *
+ * Cost: `one` and `grid` expand a motor into a matrix once, and then take 9 fused multiply-adds a point; the others
+ * take 25 and a division a point, 21 with MW_UNIT_MOTORS. generated/kernel_list.inc has the counts of all. */
+#define MW_DECLARE_APPLY(operand, views, P)                                                                           \
+    mw_status mw_apply_##operand##_one_##P(mw_##views##_##P out, const mw_motor_##P *motor,                           \
+                                           mw_const_##views##_##P in, size_t count, unsigned flags);                  \
+    mw_status mw_apply_##operand##_each_##P(mw_##views##_##P out, mw_const_motors_##P motors,                         \
+                                            mw_const_##views##_##P in, size_t count, unsigned flags);                 \
+    mw_status mw_apply_##operand##_grid_##P(mw_##views##_##P out, size_t row_stride, mw_const_motors_##P motors,      \
+                                            size_t motor_count, mw_const_##views##_##P in, size_t count,              \
+                                            unsigned flags);                                                          \
+    mw_status mw_apply_##operand##_indexed_##P(mw_##views##_##P out, const mw_motor_##P *palette,                     \
+                                               size_t palette_count, mw_indices indices, mw_const_##views##_##P in,   \
+                                               size_t count, unsigned flags);                                         \
+    mw_status mw_apply_##operand##_indexed_checked_##P(                                                               \
+        mw_##views##_##P out, const mw_motor_##P *palette, size_t palette_count, mw_indices indices,                  \
+        mw_const_##views##_##P in, size_t count, unsigned flags, size_t *first_bad);
 
-/* out[i] = F_S(points[i]) with S = motors[i].
- * Flags: MW_UNIT_MOTORS. Errors: as apply_point_one, but for degenerate motors: see mw_check_motors. */
-mw_status mw_apply_point_each_f32(mw_xyz_f32 out, mw_const_motors_f32 motors, mw_const_xyz_f32 points, size_t count,
-                                  unsigned flags);
-mw_status mw_apply_point_each_f64(mw_xyz_f64 out, mw_const_motors_f64 motors, mw_const_xyz_f64 points, size_t count,
-                                  unsigned flags);
+/* The list of operands, for whoever wants to say something of each. */
+#define MW_OPERANDS(use, P)                                                                                           \
+    use(point, xyz, P) use(direction, xyz, P) use(tangent, xyzw, P) use(vertex, vertices, P) use(vector, vectors, P)  \
+        use(line, lines, P) use(motor, motors, P)
 
-/* The same for directions, which a motor rotates and does not translate: normals, tangents, velocities. */
-mw_status mw_apply_direction_one_f32(mw_xyz_f32 out, const mw_motor_f32 *motor, mw_const_xyz_f32 directions,
-                                     size_t count, unsigned flags);
-mw_status mw_apply_direction_one_f64(mw_xyz_f64 out, const mw_motor_f64 *motor, mw_const_xyz_f64 directions,
-                                     size_t count, unsigned flags);
-mw_status mw_apply_direction_each_f32(mw_xyz_f32 out, mw_const_motors_f32 motors, mw_const_xyz_f32 directions,
-                                      size_t count, unsigned flags);
-mw_status mw_apply_direction_each_f64(mw_xyz_f64 out, mw_const_motors_f64 motors, mw_const_xyz_f64 directions,
-                                      size_t count, unsigned flags);
+MW_OPERANDS(MW_DECLARE_APPLY, f32)
+MW_OPERANDS(MW_DECLARE_APPLY, f64)
+#undef MW_DECLARE_APPLY
+
+/* Large worlds: motors of double on points of float. out[i] = F_S(points[i] - before) + after, all of it computed in
+ * double and rounded once. Points may so be stored near an origin of their own, and come out near another, such as the
+ * camera: before = -(the origin of the points), after = -(the camera). `shift` null: both are zero.
+ * Pairings, flags and errors as above. (Directions need no double: round the motor, and use the f32 functions.) */
+typedef struct mw_shift { double before[3], after[3]; } mw_shift;
+mw_status mw_apply_point_one_mixed(mw_xyz_f32 out, const mw_motor_f64 *motor, const mw_shift *shift,
+                                   mw_const_xyz_f32 points, size_t count, unsigned flags);
+mw_status mw_apply_point_each_mixed(mw_xyz_f32 out, mw_const_motors_f64 motors, const mw_shift *shift,
+                                    mw_const_xyz_f32 points, size_t count, unsigned flags);
+mw_status mw_apply_point_grid_mixed(mw_xyz_f32 out, size_t row_stride, mw_const_motors_f64 motors, size_t motor_count,
+                                    const mw_shift *shift, mw_const_xyz_f32 points, size_t count, unsigned flags);
+mw_status mw_apply_point_indexed_mixed(mw_xyz_f32 out, const mw_motor_f64 *palette, size_t palette_count,
+                                       mw_indices indices, const mw_shift *shift, mw_const_xyz_f32 points,
+                                       size_t count, unsigned flags);
+mw_status mw_apply_point_indexed_checked_mixed(mw_xyz_f32 out, const mw_motor_f64 *palette, size_t palette_count,
+                                               mw_indices indices, const mw_shift *shift, mw_const_xyz_f32 points,
+                                               size_t count, unsigned flags, size_t *first_bad);
+
+/* One pass over the indices: MW_ERROR_INDEX if one is not below palette_count, and then *first_bad (unless that
+ * pointer is null) is the number of the first such element. MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE,
+ * MW_ERROR_INDEX_TYPE. */
+mw_status mw_check_indices(mw_indices indices, size_t count, size_t palette_count, size_t *first_bad);
 
 /* ----------------------------------------------------------------------------------------- combining motors --- */
 

@@ -25,13 +25,33 @@ template <class T, int N> struct view {
         return true;
     }
 
+    view<const T, N> as_const() const
+    {
+        view<const T, N> result{{}, stride};
+        for (int c = 0; c < N; ++c)
+            result.component[c] = component[c];
+        return result;
+    }
+
+    view with_stride(std::size_t bytes) const
+    {
+        view result = *this;
+        result.stride = bytes;
+        return result;
+    }
+
     // The view from element `first` on.
     view from(std::size_t first) const
+    {
+        return moved_by(first * stride);
+    }
+
+    view moved_by(std::size_t bytes) const
     {
         using byte = std::conditional_t<std::is_const_v<T>, const char, char>;
         view result = *this;
         for (T *&base : result.component)
-            base = reinterpret_cast<T *>(reinterpret_cast<byte *>(base) + first * stride);
+            base = reinterpret_cast<T *>(reinterpret_cast<byte *>(base) + bytes);
         return result;
     }
 
@@ -56,15 +76,22 @@ template <class T, class Motors> view<T, 8> view_of_motors(const Motors &v)
 
 template <class T> std::uintptr_t address(const T *pointer) { return reinterpret_cast<std::uintptr_t>(pointer); }
 
-// Scalars of `size` bytes at a + i stride and at b + j stride, for i, j < count: is a byte common to two? Every call
-// of the library asks this several times, so the two usual answers cost no division.
-inline bool share_bytes(std::uintptr_t a, std::uintptr_t b, std::size_t stride, std::size_t size, std::size_t count)
+// Items of a_size bytes at a + i stride and of b_size bytes at b + j stride, for i, j < count: is a byte common to two?
+// Every call of the library asks this several times, so the two usual answers cost no division.
+inline bool share_bytes(std::uintptr_t a, std::size_t a_size, std::uintptr_t b, std::size_t b_size, std::size_t stride,
+                        std::size_t count)
 {
-    const std::uintptr_t distance = a < b ? b - a : a - b;
+    if (b < a)
+        return share_bytes(b, b_size, a, a_size, stride, count);
+    const std::uintptr_t distance = b - a;
     if (distance >= stride * count)
         return false;
     const std::uintptr_t steps = distance < stride ? 0 : distance / stride, phase = distance - steps * stride;
-    return phase < size || (stride - phase < size && steps + 1 < count);
+    return phase < a_size || (stride - phase < b_size && steps + 1 < count);
+}
+inline bool share_bytes(std::uintptr_t a, std::uintptr_t b, std::size_t stride, std::size_t size, std::size_t count)
+{
+    return share_bytes(a, size, b, size, stride, count);
 }
 
 // From the first byte of a view to past its last.
@@ -87,6 +114,26 @@ template <class T, int N> byte_range range_of(const view<T, N> &v, std::size_t c
 template <class T> byte_range range_of(const T *array, std::size_t count)
 {
     return {address(array), address(array) + count * sizeof(T)};
+}
+
+// Of one component, from its first byte to past its last.
+template <class T, int N> byte_range range_of_component(const view<T, N> &v, int c, std::size_t count)
+{
+    return {address(v.component[c]), address(v.component[c]) + (count - 1) * v.stride + sizeof(T)};
+}
+
+template <class T, int N> bool meets_a_component(const view<T, N> &v, std::size_t count, const byte_range &range)
+{
+    bool meets = false;
+    for (int c = 0; c < N; ++c)
+        meets |= range_of_component(v, c, count).meets(range);
+    return meets;
+}
+
+inline byte_range range_of(const mw_indices &indices, std::size_t count)
+{
+    const auto begin = reinterpret_cast<std::uintptr_t>(indices.first);
+    return {begin, begin + (count - 1) * indices.stride + indices.type};
 }
 
 // -------------------------------------------------------------------------------------------------- validation
@@ -127,28 +174,51 @@ template <class T> mw_status check_array(const T *array, std::size_t count)
 }
 
 // One view in two roles.
-template <class T, int N, int M> bool is_same(const view<T, N> &out, const view<const T, M> &in)
+template <class E, class T, int N, int M> bool is_same(const view<E, N> &out, const view<const T, M> &in)
 {
-    bool same = N == M && out.stride == in.stride;
-    for (int c = 0; c < N && same; ++c)
-        same = out.component[c] == in.component[c];
-    return same;
+    if constexpr (N != M || !std::is_same_v<E, T>)
+        return false;
+    else {
+        bool same = out.stride == in.stride;
+        for (int c = 0; c < N && same; ++c)
+            same = out.component[c] == in.component[c];
+        return same;
+    }
 }
 
 // MW_OK if `in` and `out` have no byte in common or are the same view.
-template <class T, int N, int M>
-mw_status check_overlap(const view<T, N> &out, const view<const T, M> &in, std::size_t count)
+template <class E, class T, int N, int M>
+mw_status check_overlap(const view<E, N> &out, const view<const T, M> &in, std::size_t count)
 {
     if (!range_of(out, count).meets(range_of(in, count)))
         return MW_OK;
-    if (out.stride != in.stride)
-        return MW_ERROR_OVERLAP; // their ranges meet, and so may their elements
+    if (out.stride != in.stride) { // where the ranges of two components meet, so may their elements
+        bool meets = false;
+        for (int c = 0; c < M; ++c)
+            meets |= meets_a_component(out, count, range_of_component(in, c, count));
+        return meets ? MW_ERROR_OVERLAP : MW_OK;
+    }
     if (is_same(out, in))
         return MW_OK;
-    for (const T *a : out.component)
+    for (const E *a : out.component)
         for (const T *b : in.component)
-            if (share_bytes(address(a), address(b), out.stride, sizeof(T), count))
+            if (share_bytes(address(a), sizeof(E), address(b), sizeof(T), out.stride, count))
                 return MW_ERROR_OVERLAP;
+    return MW_OK;
+}
+
+// The same for indices, which may be fields of the same vertices.
+template <class E, int N>
+mw_status check_overlap(const view<E, N> &out, const mw_indices &indices, std::size_t count)
+{
+    const byte_range range = range_of(indices, count);
+    if (!range_of(out, count).meets(range))
+        return MW_OK;
+    if (out.stride != indices.stride)
+        return meets_a_component(out, count, range) ? MW_ERROR_OVERLAP : MW_OK;
+    for (const E *a : out.component)
+        if (share_bytes(address(a), sizeof(E), range.begin, indices.type, out.stride, count))
+            return MW_ERROR_OVERLAP;
     return MW_OK;
 }
 
@@ -156,15 +226,16 @@ mw_status check_overlap(const view<T, N> &out, const view<const T, M> &in, std::
 template <class T, int N, class Item>
 mw_status check_overlap(const view<T, N> &out, const Item *array, std::size_t items, std::size_t count)
 {
-    return range_of(out, count).meets(range_of(array, items)) ? MW_ERROR_OVERLAP : MW_OK;
+    return meets_a_component(out, count, range_of(array, items)) ? MW_ERROR_OVERLAP : MW_OK;
 }
 
 // Small batches would pay more for these checks than for their work. So a few instructions look whether a call is one
 // of the usual ones, which all of the checks above would pass; only others are checked in full.
+#define MOTORWAY_INLINE inline __attribute__((always_inline))
 
 // The bytes of a view of adjacent components, or of one array a component in ascending order, that share none and
 // are far from the ends of the address space. Empty if it is not clearly such a view.
-template <class T, int N> byte_range usual_range(const view<T, N> &v, std::size_t count)
+template <class T, int N> MOTORWAY_INLINE byte_range usual_range(const view<T, N> &v, std::size_t count)
 {
     constexpr std::size_t large = std::size_t(1) << 31, lowest = 4096, highest = UINTPTR_MAX / 2;
     const std::uintptr_t begin = address(v.component[0]), last = address(v.component[N - 1]);
@@ -180,8 +251,8 @@ template <class T, int N> byte_range usual_range(const view<T, N> &v, std::size_
 }
 
 // The output may be the input itself.
-template <class T, int N, int M>
-bool is_usual(const view<T, N> &out, const byte_range &out_range, const view<const T, M> &in, std::size_t count)
+template <class E, class T, int N, int M>
+MOTORWAY_INLINE bool is_usual(const view<E, N> &out, const byte_range &out_range, const view<const T, M> &in, std::size_t count)
 {
     const byte_range in_range = usual_range(in, count);
     if (out_range.end == 0 || in_range.end == 0)
@@ -192,7 +263,8 @@ bool is_usual(const view<T, N> &out, const byte_range &out_range, const view<con
 // The first status of several that is not MW_OK. Later arguments are functions, so that a check may rely on those
 // before it.
 inline mw_status first_error(mw_status status) { return status; }
-template <class Check, class... Checks> mw_status first_error(mw_status status, Check check, Checks... checks)
+template <class Check, class... Checks>
+mw_status first_error(mw_status status, const Check &check, const Checks &...checks)
 {
     return status != MW_OK ? status : first_error(check(), checks...);
 }

@@ -69,6 +69,17 @@ struct View {
         return {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], stride};
     }
 
+    // The same bytes as components of another type.
+    template <class U>
+    View<U> as() const
+    {
+        View<U> view;
+        for (T *pointer : component)
+            view.component.push_back(reinterpret_cast<U *>(pointer));
+        view.stride = stride;
+        return view;
+    }
+
     // The pointers are those of this view, which must live as long.
     typename Api<T>::Weights weights() const { return {const_cast<const T *const *>(component.data()), stride}; }
 };

@@ -1,176 +1,334 @@
-// The subjects apply point and apply direction, to one motor and to a motor each.
+// The subjects apply <operand> <pairing> of every operand: under one motor, a motor each, a motor of a palette, and
+// as a grid of one row (grid_test.cpp has the others). In mixed precision M, of the motors, is double and T float.
 #ifndef MOTORWAY_TESTS_APPLY_TESTER_H
 #define MOTORWAY_TESTS_APPLY_TESTER_H
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
+#include <type_traits>
 
+#include "apply_api.h"
+#include "apply_expected.h"
 #include "guarded_buffer.h"
+#include "index_array.h"
 #include "motors.h"
 #include "subject.h"
 
 namespace motorway::testing {
 
-enum class Moved { point, direction };
-enum class Motors { any, unit };
-
-// For component i of the result, the sum of the magnitudes of all terms of
-//     p_i + 2/α (s c_i + (q × c)_i + w q_i),  c = q × p + d,  q = (b23, b13, b12), d = (b1i, b2i, b3i),
-// signs aside. Expanded into a matrix and an offset the motion has the same terms, so this dominates both forms.
+// An element of one operand; the exact results are for all numbers that can be.
 template <class T>
-std::array<long double, 3> apply_magnitudes(const T *motor, const T *p, Moved moved)
+void draw_operand(Random &random, Moved moved, T *components)
 {
-    const auto size = [](T x) { return std::abs(static_cast<long double>(x)); };
-    const long double s = size(motor[0]), q[] = {size(motor[3]), size(motor[2]), size(motor[1])};
-    const bool offset = moved == Moved::point;
-    const long double d[] = {offset ? size(motor[4]) : 0, offset ? size(motor[5]) : 0, offset ? size(motor[6]) : 0};
-    const long double w = offset ? size(motor[7]) : 0;
-    const long double alpha = s * s + q[0] * q[0] + q[1] * q[1] + q[2] * q[2];
-    long double c[3];
-    for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        c[i] = q[j] * size(p[k]) + q[k] * size(p[j]) + d[i];
+    draw_vector(random, components);
+    const T *p = components;
+    switch (moved) {
+    case Moved::point:
+    case Moved::direction: break;
+    case Moved::tangent: components[3] = static_cast<T>(random.chance(2) ? 1 : random.uniform(-2, 2)); break;
+    case Moved::vertex: draw_vector(random, components + 3); break;
+    case Moved::vector: {
+        const T weight = static_cast<T>(random.chance(3) ? 0 : random.chance(2) ? 1 : random.uniform(-3, 3));
+        const T half_square = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 2;  // that of a point
+        const T rest = static_cast<T>(random.chance(2) ? 0 : random.uniform(-4, 4));
+        std::copy_backward(components, components + 3, components + 4);
+        components[0] = weight;
+        components[4] = weight * half_square + rest;
+        break;
     }
-    std::array<long double, 3> magnitudes;
-    for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        magnitudes[i] = size(p[i]) + 2 / alpha * (s * c[i] + q[j] * c[k] + q[k] * c[j] + w * q[i]);
+    case Moved::line: {
+        draw_vector(random, components + 3);
+        if (random.chance(3))
+            break;  // six numbers of any kind are a screw
+        const T q[3] = {p[3], p[4], p[5]};
+        for (int i = 0; i < 3; ++i)
+            components[3 + i] = q[(i + 1) % 3] * p[(i + 2) % 3] - q[(i + 2) % 3] * p[(i + 1) % 3];
+        break;
     }
-    return magnitudes;
+    case Moved::motor: draw_motor(random, any_regime(random), components); break;
+    }
 }
 
-// A result is at most 14 roundings away from any of its terms: 3 in c, 4 in the sum over c, 4 in α, a division, a
-// product and the last sum. So the error is at most 14 · ½ε times the magnitudes; the 8th ε is for second order.
-// Underflow adds at most half the smallest subnormal in each of some 16 operations, before a division by α or after.
-template <class T>
-Expected expect_moved(const T *motor, const T *p, Moved moved, Motors motors)
+// Motors lie among the inputs as bytes: in mixed precision they are doubles among floats.
+template <class M, class T>
+std::array<M, 8> motor_among(const T *input)
 {
-    const reference::Motor exact = exact_motor(motor);
-    const auto value = moved == Moved::point ? reference::apply_point(exact, exact_vector(p))
-                                             : reference::apply_direction(exact, exact_vector(p));
-    const auto magnitudes = apply_magnitudes(motor, p, moved);
-    const reference::Real alpha = reference::alpha(exact);
-    const auto small_alpha = std::min(1.0L, static_cast<long double>(alpha));
-    // The unit form takes α for 1: that is an error of |α - 1| in the input, not in the arithmetic.
-    const auto not_unit = static_cast<long double>(reference::abs(alpha - reference::Real(1)));
-    const long double lost = reference_error(size_of(motor, 8) * size_of(motor, 8) * (1 + size_of(p, 3)));
-    Expected expected;
-    for (std::size_t i = 0; i < 3; ++i) {
-        expected.value.push_back(value[i]);
-        const long double relative = 8 * epsilon<T> + (motors == Motors::unit ? not_unit : 0);
-        const long double absolute = 16 * underflow<T> * (1 + magnitudes[0] + magnitudes[1] + magnitudes[2]) + lost;
-        expected.tolerance.push_back(relative * magnitudes[i] + absolute / small_alpha);
-    }
-    return expected;
+    std::array<M, 8> motor;
+    std::memcpy(motor.data(), input, sizeof motor);
+    return motor;
 }
 
-template <class T>
-class ApplyOne : public Subject<T> {
+// What all of these subjects have in common.
+template <class T, class M>
+class Applied : public Subject<T> {
 public:
-    // The motor itself lies against a forbidden page too.
-    ApplyOne(Moved moved, const T *motor, Guard guard) : moved_(moved)
+    static constexpr bool mixed = !std::is_same_v<T, M>;
+
+    Applied(Moved moved, Pairing pairing, Motors motors)
+        : functions_(apply_functions_of<T>(moved, mixed)), pairing_(pairing), motors_(motors),
+          flags_(motors == Motors::unit ? MW_UNIT_MOTORS : MW_DEFAULT)
+    {
+        if constexpr (mixed)
+            shift_ = {{1000.125, -3e6, 0.1}, {-1e-3, 3e6 + 1.0 / 3, 7}};
+    }
+
+    std::string name() const override
+    {
+        return functions_.name(pairing_) + (flags_ ? " with flags " + std::to_string(flags_) : "");
+    }
+
+    void add_flags(unsigned flags) override { flags_ |= flags; }
+
+    std::vector<typename Subject<T>::Input> inputs() const override
+    {
+        return {{functions_.views, functions_.components()}};
+    }
+
+    Operand output() const override { return functions_.views; }
+
+protected:
+    Moved moved() const { return functions_.moved; }
+    const mw_shift *shift() const { return mixed ? &shift_ : nullptr; }
+
+    ApplyCall<T> call(const View<T> &out, const View<T> &in, std::size_t count) const
+    {
+        ApplyCall<T> arguments;
+        arguments.out = out;
+        arguments.in = in;
+        arguments.count = count;
+        arguments.shift = shift();
+        arguments.flags = flags_;
+        return arguments;
+    }
+
+    mw_status apply(const ApplyCall<T> &arguments) const { return functions_.run(pairing_, arguments); }
+
+    Expected expect_applied(const M *motor, const T *element) const
+    {
+        return expect_moved(motor, element, moved(), motors_, shift());
+    }
+
+private:
+    ApplyFunctions<T> functions_;
+    Pairing pairing_;
+    Motors motors_;
+    unsigned flags_;
+    mw_shift shift_{};
+};
+
+// Under one motor, or a grid with a single row. The motor itself lies against a forbidden page too.
+template <class T, class M>
+class AppliedOne : public Applied<T, M> {
+public:
+    AppliedOne(Moved moved, Pairing pairing, const M *motor, Guard guard)
+        : Applied<T, M>(moved, pairing, Motors::any), is_grid_(pairing == Pairing::grid)
     {
         std::copy_n(motor, 8, motor_);
         placed_ = guarded_.place_copy(motor_, 8, guard);
     }
 
-    std::string name() const override { return moved_ == Moved::point ? "apply_point_one" : "apply_direction_one"; }
-    std::vector<typename Subject<T>::Input> inputs() const override { return {{Operand::xyz, 3}}; }
-    Operand output() const override { return Operand::xyz; }
+    bool keeps_apart() const override { return is_grid_; }
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
-        const auto *motor = reinterpret_cast<const typename Api<T>::Motor *>(placed_);
-        const auto function = moved_ == Moved::point ? Api<T>::apply_point_one : Api<T>::apply_direction_one;
-        return function(out.xyz(), motor, inputs[0].const_xyz(), count, MW_DEFAULT);
+        ApplyCall<T> arguments = this->call(out, inputs[0], count);
+        arguments.motor = placed_;
+        for (std::size_t c = 0; c < 8; ++c)
+            arguments.motors.component.push_back(reinterpret_cast<T *>(placed_ + c));
+        arguments.motors.stride = sizeof(M[8]);
+        arguments.motor_count = 1;
+        arguments.row_stride = count * out.stride;
+        return this->apply(arguments);
     }
 
-    void draw(Random &random, T *const *inputs) const override { draw_vector(random, inputs[0]); }
-    Expected expect(const T *const *inputs) const override
-    {
-        return expect_moved(motor_, inputs[0], moved_, Motors::any);
-    }
+    void draw(Random &random, T *const *inputs) const override { draw_operand(random, this->moved(), inputs[0]); }
+    Expected expect(const T *const *inputs) const override { return this->expect_applied(motor_, inputs[0]); }
 
-    static Subjects<T> all(Moved moved)
+    static Subjects<T> all(Moved moved, Pairing pairing)
     {
         Subjects<T> subjects;
         Random random(1);
-        for (Guard guard : {Guard::after, Guard::before})
-            for (int regime = 0; regime < static_cast<int>(Regime::count); ++regime) {
-                T motor[8];
-                draw_motor(random, static_cast<Regime>(regime), motor);
-                subjects.push_back(std::make_unique<ApplyOne>(moved, motor, guard));
-            }
+        for (int regime = 0; regime < static_cast<int>(Regime::count); ++regime) {
+            M motor[8];
+            draw_motor(random, static_cast<Regime>(regime), motor);
+            const Guard guard = regime % 2 ? Guard::before : Guard::after;
+            subjects.push_back(std::make_unique<AppliedOne>(moved, pairing, motor, guard));
+        }
         return subjects;
     }
 
 private:
-    Moved moved_;
-    T motor_[8];
-    GuardedBuffer guarded_{sizeof(T[8])};
-    T *placed_;
+    bool is_grid_;
+    M motor_[8];
+    GuardedBuffer guarded_{sizeof(M[8])};
+    M *placed_;
 };
 
-template <class T>
-class ApplyEach : public Subject<T> {
+template <class T, class M>
+class AppliedEach : public Applied<T, M> {
 public:
-    ApplyEach(Moved moved, Motors motors) : moved_(moved), motors_(motors) {}
-
-    std::string name() const override
-    {
-        return std::string(moved_ == Moved::point ? "apply_point_each" : "apply_direction_each") +
-               (motors_ == Motors::unit ? " with MW_UNIT_MOTORS" : "");
-    }
+    AppliedEach(Moved moved, Motors motors) : Applied<T, M>(moved, Pairing::each, motors), motors_(motors) {}
 
     std::vector<typename Subject<T>::Input> inputs() const override
     {
-        return {{Operand::motor, 8}, {Operand::xyz, 3}};
+        return {{Operand::motors, 8, sizeof(M)}, Applied<T, M>::inputs()[0]};
     }
-
-    Operand output() const override { return Operand::xyz; }
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
-        const auto function = moved_ == Moved::point ? Api<T>::apply_point_each : Api<T>::apply_direction_each;
-        return function(out.xyz(), inputs[0].const_motors(), inputs[1].const_xyz(), count,
-                        motors_ == Motors::unit ? MW_UNIT_MOTORS : MW_DEFAULT);
+        ApplyCall<T> arguments = this->call(out, inputs[1], count);
+        arguments.motors = inputs[0];
+        return this->apply(arguments);
     }
 
     void draw(Random &random, T *const *inputs) const override
     {
-        draw_motor(random, motors_ == Motors::unit ? any_unit_regime(random) : any_regime(random), inputs[0]);
-        draw_vector(random, inputs[1]);
+        M motor[8];
+        draw_motor(random, motors_ == Motors::unit ? any_unit_regime(random) : any_regime(random), motor);
+        std::memcpy(inputs[0], motor, sizeof motor);
+        draw_operand(random, this->moved(), inputs[1]);
     }
 
     Expected expect(const T *const *inputs) const override
     {
-        return expect_moved(inputs[0], inputs[1], moved_, motors_);
+        return this->expect_applied(motor_among<M>(inputs[0]).data(), inputs[1]);
     }
 
     static Subjects<T> all(Moved moved, Motors motors)
     {
         Subjects<T> subjects;
-        subjects.push_back(std::make_unique<ApplyEach>(moved, motors));
+        subjects.push_back(std::make_unique<AppliedEach>(moved, motors));
         return subjects;
     }
 
 private:
-    Moved moved_;
     Motors motors_;
 };
 
-template <class T>
-Subjects<T> subjects_of_apply_point_one() { return ApplyOne<T>::all(Moved::point); }
-template <class T>
-Subjects<T> subjects_of_apply_direction_one() { return ApplyOne<T>::all(Moved::direction); }
-template <class T>
-Subjects<T> subjects_of_apply_point_each() { return ApplyEach<T>::all(Moved::point, Motors::any); }
-template <class T>
-Subjects<T> subjects_of_apply_direction_each() { return ApplyEach<T>::all(Moved::direction, Motors::any); }
-template <class T>
-Subjects<T> subjects_of_apply_point_each_unit() { return ApplyEach<T>::all(Moved::point, Motors::unit); }
-template <class T>
-Subjects<T> subjects_of_apply_direction_each_unit() { return ApplyEach<T>::all(Moved::direction, Motors::unit); }
+// Each run has its indices in an array of another type, stride and place, against a forbidden page; the palette lies
+// against one of its own.
+template <class T, class M>
+class AppliedIndexed : public Applied<T, M> {
+public:
+    AppliedIndexed(Moved moved, Motors motors, std::size_t palette_size, Guard guard)
+        : Applied<T, M>(moved, Pairing::indexed, motors), palette_(8 * palette_size)
+    {
+        Random random(palette_size);
+        for (std::size_t k = 0; k < palette_size; ++k)
+            draw_motor(random, motors == Motors::unit ? any_unit_regime(random) : any_regime(random),
+                       &palette_[8 * k]);
+        placed_ = guarded_.place_copy(palette_.data(), palette_.size(), guard);
+    }
+
+    std::string name() const override
+    {
+        return Applied<T, M>::name() + ", a palette of " + std::to_string(size()) + ", " + indices_.describe();
+    }
+
+    std::vector<typename Subject<T>::Input> inputs() const override
+    {
+        return {{Operand::indices, 1}, Applied<T, M>::inputs()[0]};
+    }
+
+    mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
+    {
+        ApplyCall<T> arguments = this->call(out, inputs[1], count);
+        arguments.motor = placed_;
+        arguments.motor_count = size();
+        arguments.indices = indices_.place(inputs[0], count, size());
+        const mw_status status = this->apply(arguments);
+        indices_.expect_unchanged();
+        return status;
+    }
+
+    void draw(Random &random, T *const *inputs) const override
+    {
+        *inputs[0] = static_cast<T>(random.chance(8) ? size() - 1 : random.below(size()));
+        draw_operand(random, this->moved(), inputs[1]);
+    }
+
+    Expected expect(const T *const *inputs) const override
+    {
+        return this->expect_applied(&palette_[8 * static_cast<std::size_t>(*inputs[0])], inputs[1]);
+    }
+
+    static Subjects<T> all(Moved moved, Motors motors)
+    {
+        Subjects<T> subjects;
+        for (std::size_t palette_size : {7, 300, 1})
+            for (Guard guard : {Guard::after, Guard::before})
+                if (palette_size != 300 || guard == Guard::after)
+                    subjects.push_back(std::make_unique<AppliedIndexed>(moved, motors, palette_size, guard));
+        return subjects;
+    }
+
+private:
+    std::size_t size() const { return palette_.size() / 8; }
+
+    std::vector<M> palette_;
+    GuardedBuffer guarded_{palette_.size() * sizeof(M)};
+    M *placed_;
+    mutable IndexArray indices_;
+};
+
+#define MOTORWAY_TEST_SUBJECTS(operand, views, P)                                                                    \
+    template <class T>                                                                                               \
+    Subjects<T> subjects_of_apply_##operand##_one()                                                                  \
+    {                                                                                                                \
+        return AppliedOne<T, T>::all(Moved::operand, Pairing::one);                                                  \
+    }                                                                                                                \
+    template <class T>                                                                                               \
+    Subjects<T> subjects_of_apply_##operand##_grid()                                                                 \
+    {                                                                                                                \
+        return AppliedOne<T, T>::all(Moved::operand, Pairing::grid);                                                 \
+    }                                                                                                                \
+    template <class T>                                                                                               \
+    Subjects<T> subjects_of_apply_##operand##_each()                                                                 \
+    {                                                                                                                \
+        return AppliedEach<T, T>::all(Moved::operand, Motors::any);                                                  \
+    }                                                                                                                \
+    template <class T>                                                                                               \
+    Subjects<T> subjects_of_apply_##operand##_each_unit()                                                            \
+    {                                                                                                                \
+        return AppliedEach<T, T>::all(Moved::operand, Motors::unit);                                                 \
+    }                                                                                                                \
+    template <class T>                                                                                               \
+    Subjects<T> subjects_of_apply_##operand##_indexed()                                                              \
+    {                                                                                                                \
+        return AppliedIndexed<T, T>::all(Moved::operand, Motors::any);                                               \
+    }                                                                                                                \
+    template <class T>                                                                                               \
+    Subjects<T> subjects_of_apply_##operand##_indexed_unit()                                                         \
+    {                                                                                                                \
+        return AppliedIndexed<T, T>::all(Moved::operand, Motors::unit);                                              \
+    }
+
+MW_OPERANDS(MOTORWAY_TEST_SUBJECTS, )
+#undef MOTORWAY_TEST_SUBJECTS
+
+inline Subjects<float> subjects_of_apply_point_one_mixed()
+{
+    return AppliedOne<float, double>::all(Moved::point, Pairing::one);
+}
+inline Subjects<float> subjects_of_apply_point_grid_mixed()
+{
+    return AppliedOne<float, double>::all(Moved::point, Pairing::grid);
+}
+// A promise of normalised motors is allowed here too.
+inline Subjects<float> subjects_of_apply_point_each_mixed()
+{
+    Subjects<float> subjects = AppliedEach<float, double>::all(Moved::point, Motors::any);
+    for (auto &subject : AppliedEach<float, double>::all(Moved::point, Motors::unit))
+        subjects.push_back(std::move(subject));
+    return subjects;
+}
+inline Subjects<float> subjects_of_apply_point_indexed_mixed()
+{
+    Subjects<float> subjects = AppliedIndexed<float, double>::all(Moved::point, Motors::any);
+    for (auto &subject : AppliedIndexed<float, double>::all(Moved::point, Motors::unit))
+        subjects.push_back(std::move(subject));
+    return subjects;
+}
 
 }  // namespace motorway::testing
 

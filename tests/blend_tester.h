@@ -52,7 +52,7 @@ public:
 
     std::string name() const override { return "blend_motor_one of " + std::to_string(terms_) + " terms"; }
     std::vector<typename Subject<T>::Input> inputs() const override { return {{Operand::weights, terms_}}; }
-    Operand output() const override { return Operand::motor; }
+    Operand output() const override { return Operand::motors; }
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
@@ -86,12 +86,12 @@ public:
 
     std::vector<typename Subject<T>::Input> inputs() const override
     {
-        std::vector<typename Subject<T>::Input> inputs(terms_, {Operand::motor, 8});
+        std::vector<typename Subject<T>::Input> inputs(terms_, {Operand::motors, 8});
         inputs.insert(inputs.begin(), {Operand::weights, terms_});
         return inputs;
     }
 
-    Operand output() const override { return Operand::motor; }
+    Operand output() const override { return Operand::motors; }
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {

@@ -41,6 +41,59 @@ TEST(Budget, any_motor_costs_4_more_and_a_division)
     EXPECT_EQ(row("apply_direction_each").divisions, 1);
 }
 
+// R p alone; R p and R n; R p + e0 t, and e∞ grows by three terms of p and one of e0.
+TEST(Budget, one_motor_costs_an_element_no_more_than_its_matrix)
+{
+    const std::pair<const char *, int> most[] = {{"point", 9},   {"direction", 9}, {"tangent", 9}, {"vertex", 18},
+                                                 {"vector", 16}, {"line", 27},     {"motor", 27}};
+    for (const auto &[operand, operations] : most)
+        for (const char *pairing : {"one", "grid"}) {
+            const KernelRow &r = row(std::string("apply_") + operand + "_" + pairing);
+            EXPECT_LE(r.operations, operations) << r.name;
+            EXPECT_EQ(r.divisions, 0) << r.name;
+        }
+    for (const char *name : {"apply_point_one_mixed", "apply_point_grid_mixed"}) {
+        EXPECT_EQ(row(name).operations, 9) << name;  // the shift is part of the translation
+        EXPECT_EQ(row(name).divisions, 0) << name;
+    }
+}
+
+// A w that is copied costs nothing, a second vector no more than it does alone, and none of it a second division. A
+// line takes the terms of two vectors, those that couple them, and the rest of S̄S; a grade 1 vector lacks most of
+// these. In mixed precision the shift is six sums.
+TEST(Budget, a_motor_each_costs_what_its_forms_do)
+{
+    EXPECT_EQ(row("apply_tangent_each").operations, row("apply_direction_each").operations);
+    EXPECT_LE(row("apply_vertex_each").operations,
+              row("apply_point_each").operations + row("apply_direction_each").operations - 4);
+    EXPECT_LE(row("apply_point_each_mixed").operations, row("apply_point_each").operations + 6);
+    EXPECT_LE(row("apply_vector_each_unit").operations, 40);
+    EXPECT_LE(row("apply_vector_each").operations, 53);
+    EXPECT_LE(row("apply_line_each_unit").operations, 51);
+    EXPECT_LE(row("apply_line_each").operations, 68);
+    EXPECT_LE(row("apply_motor_each").operations, row("apply_line_each").operations);
+    for (const char *operand : {"point", "direction", "tangent", "vertex", "vector", "line", "motor"}) {
+        const std::string each = std::string("apply_") + operand + "_each";
+        EXPECT_EQ(row(each).divisions, 1) << each;
+        EXPECT_EQ(row(each + "_unit").divisions, 0) << each;
+        EXPECT_LT(row(each + "_unit").operations, row(each).operations) << each;
+    }
+}
+
+// A palette only says where the motor is.
+TEST(Budget, an_indexed_motor_costs_what_one_each_costs)
+{
+    for (const KernelRow &each : kernel_rows()) {
+        const std::size_t place = each.name.find("_each");
+        if (each.name.rfind("apply_", 0) != 0 || place == std::string::npos)
+            continue;
+        const KernelRow &indexed = row(std::string(each.name).replace(place, 5, "_indexed"));
+        EXPECT_EQ(indexed.operations, each.operations) << indexed.name;
+        EXPECT_EQ(indexed.divisions, each.divisions) << indexed.name;
+        EXPECT_EQ(indexed.inputs, each.inputs) << indexed.name;
+    }
+}
+
 TEST(Budget, a_product_of_motors_takes_at_most_48)
 {
     EXPECT_LE(row("compose_motor_each").operations, 48);
@@ -53,7 +106,7 @@ TEST(Budget, a_term_of_a_blend_takes_8)
     EXPECT_LE(row("blend_motor_each").operations, 8);
 }
 
-// What benchmarks turn into bytes: of a blend, an element and term.
+// What benchmarks turn into bytes: of a blend, an element and term. Where there is an index, what it picks counts.
 TEST(Budget, the_list_counts_the_components_of_every_operand)
 {
     for (const KernelRow &r : kernel_rows()) {
@@ -62,7 +115,7 @@ TEST(Budget, the_list_counts_the_components_of_every_operand)
         EXPECT_EQ(r.outputs, static_cast<int>(subject.output_components())) << r.name;
         int inputs = 0, terms = 1;
         for (const auto &input : subject.inputs()) {
-            inputs += static_cast<int>(input.components);
+            inputs += input.operand == Operand::indices ? 8 : static_cast<int>(input.components);
             if (input.operand == Operand::weights)
                 terms = static_cast<int>(input.components);
         }

@@ -109,6 +109,123 @@ static void check(int holds, const char *what, int line)
 DEFINE_TEST(f32, float, 1e-5f)
 DEFINE_TEST(f64, double, 1e-14)
 
+/* Every operand in every pairing. Twice the identity leaves an element where it is, and so does whoever picks it. */
+#define ELEMENT 8
+
+#define VIEW_xyz(kind, P, numbers) mw_##kind##xyz_##P##_aos(numbers, 3 * sizeof *(numbers))
+#define VIEW_xyzw(kind, P, numbers) mw_##kind##xyzw_##P##_aos(numbers, 4 * sizeof *(numbers))
+#define VIEW_vertices(kind, P, numbers) kind##vertices_##P(numbers)
+#define VIEW_vectors(kind, P, numbers) mw_##kind##vectors_##P##_aos(numbers, 5 * sizeof *(numbers))
+#define VIEW_lines(kind, P, numbers) mw_##kind##lines_##P##_aos(numbers, 6 * sizeof *(numbers))
+#define VIEW_motors(kind, P, numbers) kind##motors_##P(numbers)
+
+#define DEFINE_VIEWS(P, T)                                                                                           \
+    static mw_vertices_##P vertices_##P(T *numbers)                                                                  \
+    {                                                                                                                \
+        mw_vertices_##P view;                                                                                        \
+        view.position = mw_xyz_##P##_aos(numbers, 6 * sizeof *numbers);                                              \
+        view.normal = mw_xyz_##P##_aos(numbers + 3, 6 * sizeof *numbers);                                            \
+        return mw_vertices_##P##_from(view, 0);                                                                      \
+    }                                                                                                                \
+    static mw_const_vertices_##P const_vertices_##P(const T *numbers)                                                \
+    {                                                                                                                \
+        mw_const_vertices_##P view;                                                                                  \
+        view.position = mw_const_xyz_##P##_aos(numbers, 6 * sizeof *numbers);                                        \
+        view.normal = mw_const_xyz_##P##_aos(numbers + 3, 6 * sizeof *numbers);                                      \
+        return mw_const_vertices_##P##_from(view, 0);                                                                \
+    }                                                                                                                \
+    static mw_motors_##P motors_##P(T *numbers)                                                                      \
+    {                                                                                                                \
+        return mw_motors_##P##_aos((mw_motor_##P *)(void *)numbers, sizeof(mw_motor_##P));                           \
+    }                                                                                                                \
+    static mw_const_motors_##P const_motors_##P(const T *numbers)                                                    \
+    {                                                                                                                \
+        return mw_const_motors_##P##_aos((const mw_motor_##P *)(const void *)numbers, sizeof(mw_motor_##P));         \
+    }                                                                                                                \
+    static void check_same_##P(T *out, const T *in, size_t components)                                               \
+    {                                                                                                                \
+        size_t k;                                                                                                    \
+        for (k = 0; k < components; ++k) {                                                                           \
+            CHECK(near_##P(out[k], in[k]));                                                                          \
+            out[k] = -1;                                                                                             \
+        }                                                                                                            \
+    }
+
+DEFINE_VIEWS(f32, float)
+DEFINE_VIEWS(f64, double)
+
+#define SCALAR_f32 float
+#define SCALAR_f64 double
+
+#define DEFINE_APPLY_TEST(operand, views, P)                                                                         \
+    static void test_##operand##_##P(void)                                                                           \
+    {                                                                                                                \
+        const SCALAR_##P in[ELEMENT] = {1, 2, 3, 4, 5, 6, 7, 8};                                                     \
+        SCALAR_##P out[ELEMENT] = {0};                                                                               \
+        const mw_motor_##P identity = {2, 0, 0, 0, 0, 0, 0, 0};                                                      \
+        const uint8_t index = 0;                                                                                     \
+        const mw_indices indices = mw_indices_u8(&index, sizeof index);                                              \
+        const mw_const_motors_##P motors = mw_const_motors_##P##_aos(&identity, sizeof identity);                    \
+        const mw_##views##_##P to = VIEW_##views(, P, out);                                                          \
+        const mw_const_##views##_##P from = VIEW_##views(const_, P, in);                                             \
+        size_t bad = 7;                                                                                              \
+        CHECK(mw_apply_##operand##_one_##P(to, &identity, from, 1, MW_DEFAULT) == MW_OK);                            \
+        check_same_##P(out, in, COMPONENTS_##views);                                                                 \
+        CHECK(mw_apply_##operand##_each_##P(to, motors, from, 1, MW_DEFAULT) == MW_OK);                              \
+        check_same_##P(out, in, COMPONENTS_##views);                                                                 \
+        CHECK(mw_apply_##operand##_grid_##P(to, sizeof out, motors, 1, from, 1, MW_DEFAULT) == MW_OK);               \
+        check_same_##P(out, in, COMPONENTS_##views);                                                                 \
+        CHECK(mw_apply_##operand##_indexed_##P(to, &identity, 1, indices, from, 1, MW_STREAMING_STORES) == MW_OK);   \
+        check_same_##P(out, in, COMPONENTS_##views);                                                                 \
+        CHECK(mw_apply_##operand##_indexed_checked_##P(to, &identity, 1, indices, from, 1, MW_NO_STREAMING_STORES,   \
+                                                       &bad) == MW_OK);                                              \
+        check_same_##P(out, in, COMPONENTS_##views);                                                                 \
+        CHECK(mw_apply_##operand##_indexed_checked_##P(to, &identity, 0, indices, from, 1, MW_DEFAULT, &bad) ==      \
+              MW_ERROR_INDEX);                                                                                       \
+        CHECK(bad == 0);                                                                                             \
+    }
+
+#define COMPONENTS_xyz 3
+#define COMPONENTS_xyzw 4
+#define COMPONENTS_vertices 6
+#define COMPONENTS_vectors 5
+#define COMPONENTS_lines 6
+#define COMPONENTS_motors 8
+
+MW_OPERANDS(DEFINE_APPLY_TEST, f32)
+MW_OPERANDS(DEFINE_APPLY_TEST, f64)
+
+static void test_mixed(void)
+{
+    const float in[3] = {1, 2, 3};
+    float out[3] = {0, 0, 0};
+    const mw_motor_f64 identity = {2, 0, 0, 0, 0, 0, 0, 0};
+    const mw_shift shift = {{-1e6, 0, 0}, {1e6, 0, 0}}, back = {{1e6, 0, 0}, {1e6, 0, 0}};
+    const uint32_t index = 0;
+    const mw_indices indices = mw_indices_from(mw_indices_u32(&index, sizeof index), 0);
+    const mw_const_motors_f64 motors = mw_const_motors_f64_aos(&identity, sizeof identity);
+    const mw_xyz_f32 to = mw_xyz_f32_aos(out, sizeof out);
+    const mw_const_xyz_f32 from = mw_const_xyz_f32_aos(in, sizeof in);
+    size_t bad = 7;
+    CHECK(mw_apply_point_one_mixed(to, &identity, &shift, from, 1, MW_DEFAULT) == MW_OK);
+    CHECK(out[0] == 2000001.f && out[1] == 2.f && out[2] == 3.f);
+    CHECK(mw_apply_point_one_mixed(to, &identity, &back, from, 1, MW_DEFAULT) == MW_OK);
+    check_same_f32(out, in, 3);
+    CHECK(mw_apply_point_each_mixed(to, motors, NULL, from, 1, MW_DEFAULT) == MW_OK);
+    check_same_f32(out, in, 3);
+    CHECK(mw_apply_point_grid_mixed(to, sizeof out, motors, 1, &back, from, 1, MW_DEFAULT) == MW_OK);
+    check_same_f32(out, in, 3);
+    CHECK(mw_apply_point_indexed_mixed(to, &identity, 1, indices, &back, from, 1, MW_DEFAULT) == MW_OK);
+    check_same_f32(out, in, 3);
+    CHECK(mw_apply_point_indexed_checked_mixed(to, &identity, 1, indices, &back, from, 1, MW_DEFAULT, &bad) == MW_OK);
+    check_same_f32(out, in, 3);
+    CHECK(mw_check_indices(indices, 1, 1, &bad) == MW_OK);
+    CHECK(mw_check_indices(mw_indices_u16((const uint16_t *)(const void *)&index, 2), 2, 0, &bad) == MW_ERROR_INDEX);
+    CHECK(bad == 0);
+}
+
+#define RUN_APPLY_TEST(operand, views, P) test_##operand##_##P();
+
 int main(void)
 {
     CHECK(mw_isa() != NULL);
@@ -119,5 +236,8 @@ int main(void)
     test_motors_f64();
     test_sums_f32();
     test_sums_f64();
+    MW_OPERANDS(RUN_APPLY_TEST, f32)
+    MW_OPERANDS(RUN_APPLY_TEST, f64)
+    test_mixed();
     return failures;
 }

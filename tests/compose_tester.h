@@ -14,10 +14,10 @@ public:
 
     std::vector<typename Subject<T>::Input> inputs() const override
     {
-        return {{Operand::motor, 8}, {Operand::motor, 8}};
+        return {{Operand::motors, 8}, {Operand::motors, 8}};
     }
 
-    Operand output() const override { return Operand::motor; }
+    Operand output() const override { return Operand::motors; }
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {

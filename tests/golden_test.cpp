@@ -25,6 +25,25 @@ const std::vector<Golden> golden_apply_point = {
 const std::vector<Golden> golden_apply_direction = {
 #include "../generated/golden/apply_direction.inc"
 };
+const std::vector<Golden> golden_apply_tangent = {
+#include "../generated/golden/apply_tangent.inc"
+};
+const std::vector<Golden> golden_apply_vertex = {
+#include "../generated/golden/apply_vertex.inc"
+};
+const std::vector<Golden> golden_apply_vector = {
+#include "../generated/golden/apply_vector.inc"
+};
+const std::vector<Golden> golden_apply_line = {
+#include "../generated/golden/apply_line.inc"
+};
+const std::vector<Golden> golden_apply_motor = {
+#include "../generated/golden/apply_motor.inc"
+};
+// The motor, what is subtracted before and added after, and the point.
+const std::vector<Golden> golden_apply_point_mixed = {
+#include "../generated/golden/apply_point_mixed.inc"
+};
 const std::vector<Golden> golden_compose_motor = {
 #include "../generated/golden/compose_motor.inc"
 };
@@ -42,6 +61,7 @@ const std::vector<Golden> golden_blend_motor = {
 // Every row of the kernel list needs its vectors, or this does not compile.
 const std::vector<const std::vector<Golden> *> golden_of_every_row = {
 #define MOTORWAY_KERNEL(verb, operand, pairing, ...) &golden_##verb##_##operand,
+#define MOTORWAY_KERNEL_MIXED(verb, operand, pairing, ...) &golden_##verb##_##operand##_mixed,
 #include "../generated/kernel_list.inc"
 };
 
@@ -54,6 +74,19 @@ std::vector<T> components(const Golden &golden)
     return {golden.inputs.begin(), golden.inputs.end()};
 }
 
+const std::vector<Golden> &golden_of(Moved moved, bool mixed)
+{
+    if (mixed)
+        return golden_apply_point_mixed;
+    switch (moved) {
+#define MOTORWAY_GOLDEN_CASE(operand, views, P)                                                                      \
+    case Moved::operand: return golden_apply_##operand;
+        MW_OPERANDS(MOTORWAY_GOLDEN_CASE, )
+#undef MOTORWAY_GOLDEN_CASE
+    }
+    throw std::invalid_argument("no such operand");
+}
+
 template <class T>
 const typename Api<T>::Motor *motor_at(const T *components)
 {
@@ -63,17 +96,14 @@ const typename Api<T>::Motor *motor_at(const T *components)
 template <class T>
 View<T> view_at(T *components, std::size_t count)
 {
-    View<T> view;
-    for (std::size_t k = 0; k < count; ++k)
-        view.component.push_back(components + k);
-    view.stride = count * sizeof(T);
-    return view;
+    return packed_view(components, count);
 }
 
-// The magnitudes of these inputs are at most about 10 and α is at least 1, so no term exceeds some thousands; results
-// that are no rounding away from exact pass as well.
-template <class T>
-void expect_golden(const std::vector<Golden> &vectors, mw_status (*run)(std::vector<T> &, Result<T> &))
+// The magnitudes of these inputs are at most about 10 and α is at least 1, so no sum of products of two of them, nor
+// of four over α, exceeds some thousands; what has a factor more has one power more. Results that are no rounding
+// away from exact pass as well.
+template <class T, class Run>
+void expect_golden(const std::vector<Golden> &vectors, Run run, int power = 2)
 {
     ASSERT_GE(vectors.size(), 8u);
     for (const Golden &golden : vectors) {
@@ -89,10 +119,35 @@ void expect_golden(const std::vector<Golden> &vectors, mw_status (*run)(std::vec
             const auto [numerator, denominator] = golden.outputs[k];
             const long double exact = static_cast<long double>(numerator) / denominator;
             EXPECT_NEAR(static_cast<double>(result[k]), static_cast<double>(exact),
-                        static_cast<double>(8 * epsilon<T> * largest * largest))
+                        static_cast<double>(8 * epsilon<T> * std::pow(largest, power)))
                 << "component " << k << " of vector " << &golden - vectors.data();
         }
     }
+}
+
+// One call of an apply function for the numbers of a golden vector, which has the motor first.
+template <class T>
+mw_status apply_golden(const ApplyFunctions<T> &functions, Pairing pairing, std::vector<T> &in, Result<T> &out)
+{
+    static const unsigned char index = 0;
+    double motor[8];
+    std::copy_n(in.begin(), 8, motor);
+    mw_shift shift{};
+    if (functions.is_mixed()) {
+        std::copy_n(in.begin() + 8, 3, shift.before);
+        std::copy_n(in.begin() + 11, 3, shift.after);
+    }
+    ApplyCall<T> call;
+    call.out = view_at(out.data(), functions.components());
+    call.in = view_at(&in[functions.is_mixed() ? 14 : 8], functions.components());
+    call.motors = functions.is_mixed() ? packed_view(motor, 8).template as<T>() : view_at(in.data(), 8);
+    call.motor = call.motors.component[0];
+    call.motor_count = 1;
+    call.indices = mw_indices_u8(&index, 1);
+    call.row_stride = call.out.stride;
+    call.shift = &shift;
+    call.count = 1;
+    return functions.run(pairing, call);
 }
 
 template <class T>
@@ -112,33 +167,20 @@ protected:
 
 TYPED_TEST_SUITE(GoldenTest, Precisions, PrecisionName);
 
-TYPED_TEST(GoldenTest, apply_point)
+TYPED_TEST(GoldenTest, apply)
 {
     using T = TypeParam;
     this->on_every_isa([] {
-        expect_golden<T>(golden_apply_point, [](std::vector<T> &in, Result<T> &out) {
-            return Api<T>::apply_point_one(view_at(out.data(), 3).xyz(), motor_at(in.data()),
-                                           view_at(&in[8], 3).const_xyz(), 1, MW_DEFAULT);
-        });
-        expect_golden<T>(golden_apply_point, [](std::vector<T> &in, Result<T> &out) {
-            return Api<T>::apply_point_each(view_at(out.data(), 3).xyz(), view_at(in.data(), 8).const_motors(),
-                                            view_at(&in[8], 3).const_xyz(), 1, MW_DEFAULT);
-        });
-    });
-}
-
-TYPED_TEST(GoldenTest, apply_direction)
-{
-    using T = TypeParam;
-    this->on_every_isa([] {
-        expect_golden<T>(golden_apply_direction, [](std::vector<T> &in, Result<T> &out) {
-            return Api<T>::apply_direction_one(view_at(out.data(), 3).xyz(), motor_at(in.data()),
-                                               view_at(&in[8], 3).const_xyz(), 1, MW_DEFAULT);
-        });
-        expect_golden<T>(golden_apply_direction, [](std::vector<T> &in, Result<T> &out) {
-            return Api<T>::apply_direction_each(view_at(out.data(), 3).xyz(), view_at(in.data(), 8).const_motors(),
-                                                view_at(&in[8], 3).const_xyz(), 1, MW_DEFAULT);
-        });
+        for (const ApplyFunctions<T> &functions : apply_functions<T>())
+            for (Pairing pairing : all_pairings) {
+                SCOPED_TRACE(functions.name(pairing));
+                const bool has_products = functions.moved == Moved::vector || functions.moved == Moved::line ||
+                                          functions.moved == Moved::motor;
+                expect_golden<T>(
+                    golden_of(functions.moved, functions.is_mixed()),
+                    [&](std::vector<T> &in, Result<T> &out) { return apply_golden(functions, pairing, in, out); },
+                    has_products ? 3 : 2);
+            }
     });
 }
 

@@ -18,13 +18,17 @@ std::vector<KernelCase> all_cases()
 {
     std::vector<KernelCase> cases;
     for (const KernelRow &row : kernel_rows())
-        for (const char *precision : {"f32", "f64"})
+        for (const std::string &precision : row.precisions())
             for (const std::string &isa : compiled_isas())
                 cases.push_back({&row, precision, isa});
     return cases;
 }
 
-std::string name_of(const KernelCase &c) { return c.row->name + "_" + c.precision + "_" + c.isa; }
+std::string name_of(const KernelCase &c)
+{
+    const bool said = c.row->variant == Variant::mixed;
+    return c.row->name + (said ? "" : "_" + c.precision) + "_" + c.isa;
+}
 
 void PrintTo(const KernelCase &c, std::ostream *out) { *out << name_of(c); }
 
@@ -36,7 +40,7 @@ protected:
             GTEST_SKIP() << GetParam().isa << " cannot run on this CPU";
     }
 
-    bool is_f32() const { return GetParam().precision == "f32"; }
+    bool is_f64() const { return GetParam().precision == "f64"; }
 
 private:
     ScopedIsa isa_{GetParam().isa};
@@ -59,8 +63,10 @@ constexpr std::uint64_t seed = 20170807;
 template <class T>
 void check_accuracy(const KernelCase &c)
 {
-    for (const auto &subject : c.row->subjects<T>()) {
-        Pool<T> pool = make_pool(*subject, 300, seed, Specials::none);
+    const auto subjects = c.row->subjects<T>();
+    const std::size_t elements = std::min<std::size_t>(300, 720 / subjects.size());
+    for (const auto &subject : subjects) {
+        Pool<T> pool = make_pool(*subject, elements, seed, Specials::none);
         judge(*subject, pool, pool.count);
         run_alone(*subject, pool);
         for (std::size_t i = 0; i < pool.count; ++i)
@@ -83,7 +89,7 @@ public:
     // Every layout of the inputs with every layout of the output.
     void layouts()
     {
-        for (const Layout &in : layouts_of_input(0))
+        for (const Layout &in : layouts_of_input(pool_.operands.size() - 1))
             for (const Layout &out : layouts_of_output())
                 for (std::size_t count : {1, 2, 5, 17, 49, 70})
                     for (Guard guard : {Guard::after, Guard::before})
@@ -115,7 +121,7 @@ public:
     void in_place()
     {
         for (std::size_t input = 0; input < subject_.inputs().size(); ++input) {
-            if (subject_.inputs()[input].operand != subject_.output())
+            if (!can_be_in_place_of(input))
                 continue;
             for (const Layout &layout : layouts_of_output())
                 for (std::size_t count : all_counts())
@@ -125,6 +131,8 @@ public:
 
     void interleaved()
     {
+        if (subject_.keeps_apart())
+            return;
         for (std::size_t count : all_counts())
             for (Guard guard : {Guard::after, Guard::before})
                 tester(count).interleaved().guard(guard).test();
@@ -143,7 +151,7 @@ public:
             tester.output_layout(pick(random, layouts_of_output()));
             tester.input_offset(random.below(70)).output_offset(random.below(70));
             const std::size_t input = random.below(subject_.inputs().size());
-            if (subject_.inputs()[input].operand == subject_.output() && random.chance(3))
+            if (can_be_in_place_of(input) && random.chance(3))
                 tester.in_place_of(input);
             tester.test();
         }
@@ -156,9 +164,15 @@ private:
         return KernelTester<T>(subject_, pool_, isa_).count(count).first(count % 97);
     }
 
+    bool can_be_in_place_of(std::size_t input) const
+    {
+        return !subject_.keeps_apart() && pool_.operands[input].operand == subject_.output() &&
+               pool_.operands[input].scalar == sizeof(T);
+    }
+
     std::vector<Layout> layouts_of_input(std::size_t k) const
     {
-        return Layout::all(subject_.inputs()[k].components, sizeof(T));
+        return Layout::all(pool_.operands[k].components, pool_.operands[k].scalar);
     }
 
     std::vector<Layout> layouts_of_output() const { return Layout::all(subject_.output_components(), sizeof(T)); }
@@ -192,12 +206,12 @@ void check_shapes(const KernelCase &c)
 
 TEST_P(KernelTest, matches_the_reference)
 {
-    is_f32() ? check_accuracy<float>(GetParam()) : check_accuracy<double>(GetParam());
+    is_f64() ? check_accuracy<double>(GetParam()) : check_accuracy<float>(GetParam());
 }
 
 TEST_P(KernelTest, gives_the_same_bits_in_every_shape_and_touches_nothing_else)
 {
-    is_f32() ? check_shapes<float>(GetParam()) : check_shapes<double>(GetParam());
+    is_f64() ? check_shapes<double>(GetParam()) : check_shapes<float>(GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(every, KernelTest, ::testing::ValuesIn(all_cases()),

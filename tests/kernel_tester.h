@@ -31,44 +31,62 @@ bool same(T a, T b)
 template <class T>
 struct Pool {
     std::size_t count = 0, output_components = 0;
-    std::vector<std::vector<T>> inputs;  // [input][element * components + component]
+    std::vector<typename Subject<T>::Input> operands;
+    std::vector<std::vector<T>> inputs;  // [input][element * operands[input].size() + ...]
     std::vector<std::optional<Expected>> expected;  // of those that have been judged
     std::vector<bool> special;
     std::vector<T> alone;
 
+    const T *element(std::size_t input, std::size_t i) const { return &inputs[input][i * operands[input].size()]; }
+    T *element(std::size_t input, std::size_t i) { return &inputs[input][i * operands[input].size()]; }
+    std::vector<const T *> elements(std::size_t i) const
+    {
+        std::vector<const T *> all;
+        for (std::size_t k = 0; k < inputs.size(); ++k)
+            all.push_back(element(k, i));
+        return all;
+    }
     const T *result(std::size_t i) const { return &alone[i * output_components]; }
 };
 
 enum class Specials { none, some };
 
+// Sets one of `count` components, wherever they lie, to a number of the kind that breaks arithmetic.
 template <class T>
-void make_special(Random &random, T *components, std::size_t count)
+void make_special(Random &random, void *components, std::size_t count)
 {
     using Limits = std::numeric_limits<T>;
     const T values[] = {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), Limits::max(),
                         Limits::denorm_min(), -T(0), T(0)};
-    components[random.below(count)] = values[random.below(std::size(values))];
+    const std::size_t place = random.below(count);
+    const T value = values[random.below(std::size(values))];
+    std::memcpy(static_cast<unsigned char *>(components) + place * sizeof(T), &value, sizeof(T));
 }
 
 template <class T>
 Pool<T> make_pool(const Subject<T> &subject, std::size_t count, std::uint64_t seed, Specials specials)
 {
     Random random(seed);
-    const auto operands = subject.inputs();
     Pool<T> pool;
     pool.count = count;
     pool.output_components = subject.output_components();
-    for (const auto &input : operands)
-        pool.inputs.emplace_back(count * input.components + 1);
+    pool.operands = subject.inputs();
+    for (const auto &input : pool.operands)
+        pool.inputs.emplace_back(count * input.size() + 1);
     for (std::size_t i = 0; i < count; ++i) {
         std::vector<T *> element;
         for (std::size_t k = 0; k < pool.inputs.size(); ++k)
-            element.push_back(&pool.inputs[k][i * operands[k].components]);
+            element.push_back(pool.element(k, i));
         subject.draw(random, element.data());
         pool.special.push_back(specials == Specials::some && random.chance(6));
         const std::size_t k = random.below(element.size());
-        if (pool.special.back() && operands[k].components)
-            make_special(random, element[k], operands[k].components);
+        const auto &input = pool.operands[k];
+        if (!pool.special.back() || input.components == 0 || input.operand == Operand::indices)
+            continue;
+        if (input.scalar == sizeof(double))
+            make_special<double>(random, element[k], input.components);
+        else
+            make_special<float>(random, element[k], input.components);
     }
     pool.expected.resize(count);
     return pool;
@@ -78,36 +96,32 @@ Pool<T> make_pool(const Subject<T> &subject, std::size_t count, std::uint64_t se
 template <class T>
 void judge(const Subject<T> &subject, Pool<T> &pool, std::size_t count)
 {
-    const auto operands = subject.inputs();
-    for (std::size_t i = 0; i < count; ++i) {
-        std::vector<const T *> element;
-        for (std::size_t k = 0; k < pool.inputs.size(); ++k)
-            element.push_back(&pool.inputs[k][i * operands[k].components]);
+    for (std::size_t i = 0; i < count; ++i)
         if (!pool.special[i])
-            pool.expected[i] = subject.expect(element.data());
-    }
+            pool.expected[i] = subject.expect(pool.elements(i).data());
+}
+
+// The components of one element, adjacent at `first`.
+template <class T>
+View<T> packed_view(T *first, std::size_t components, std::size_t scalar = sizeof(T))
+{
+    View<T> view;
+    for (std::size_t c = 0; c < components; ++c)
+        view.component.push_back(first + c * scalar / sizeof(T));
+    view.stride = std::max<std::size_t>(1, components) * scalar;
+    return view;
 }
 
 // Fills pool.alone: one call an element, all components adjacent.
 template <class T>
 void run_alone(const Subject<T> &subject, Pool<T> &pool)
 {
-    const auto operands = subject.inputs();
     pool.alone.assign(pool.count * pool.output_components, T(0));
     for (std::size_t i = 0; i < pool.count; ++i) {
         std::vector<View<T>> inputs;
-        for (std::size_t k = 0; k < pool.inputs.size(); ++k) {
-            const std::size_t components = operands[k].components;
-            View<T> view;
-            for (std::size_t c = 0; c < components; ++c)
-                view.component.push_back(&pool.inputs[k][i * components + c]);
-            view.stride = std::max<std::size_t>(1, components) * sizeof(T);
-            inputs.push_back(view);
-        }
-        View<T> out;
-        for (std::size_t c = 0; c < pool.output_components; ++c)
-            out.component.push_back(&pool.alone[i * pool.output_components + c]);
-        out.stride = pool.output_components * sizeof(T);
+        for (std::size_t k = 0; k < pool.inputs.size(); ++k)
+            inputs.push_back(packed_view(pool.element(k, i), pool.operands[k].components, pool.operands[k].scalar));
+        const View<T> out = packed_view(&pool.alone[i * pool.output_components], pool.output_components);
         ASSERT_EQ(subject.run(out, inputs, 1), MW_OK) << subject.name();
     }
 }
@@ -137,9 +151,12 @@ public:
         : subject_(subject), pool_(pool), isa_(std::move(isa)),
           input_layouts_(subject.inputs().size(), Layout::aos()), output_layout_(Layout::aos())
     {
-        for (const auto &input : subject.inputs())
+        for (const auto &input : subject.inputs()) {
             components_.push_back(input.components);
+            scalars_.push_back(input.scalar);
+        }
         components_.push_back(pool.output_components);
+        scalars_.push_back(sizeof(T));
     }
 
     KernelTester &count(std::size_t count) { return count_ = count, *this; }
@@ -208,7 +225,7 @@ private:
                 continue;
             }
             const Layout &layout = is_output ? output_layout_ : input_layouts_[operand];
-            const Placement placement = layout.place(components_[operand], count_, sizeof(T));
+            const Placement placement = layout.place(components_[operand], count_, scalars_[operand]);
             const std::size_t first_block = blocks_.size();
             for (std::size_t size : placement.block_sizes)
                 add_block(size, is_output ? output_offset_ : input_offset_);
@@ -224,14 +241,14 @@ private:
     {
         std::size_t all = 0;
         for (std::size_t operand = 0; operand < operands(); ++operand)
-            all += components_[operand];
-        add_block(count_ * all * sizeof(T), input_offset_);
-        T *next = reinterpret_cast<T *>(blocks_[0].begin);
+            all += components_[operand] * scalars_[operand];
+        add_block(count_ * all, input_offset_);
+        unsigned char *next = blocks_[0].begin;
         for (std::size_t operand = 0; operand < operands(); ++operand) {
             View<T> view;
-            view.stride = all * sizeof(T);
-            for (std::size_t c = 0; c < components_[operand]; ++c)
-                view.component.push_back(next++);
+            view.stride = all;
+            for (std::size_t c = 0; c < components_[operand]; ++c, next += scalars_[operand])
+                view.component.push_back(reinterpret_cast<T *>(next));
             views_.push_back(view);
         }
     }
@@ -257,8 +274,10 @@ private:
                 *byte = canary = static_cast<unsigned char>(canary * 5 + 1);
         for (std::size_t k = 0; k + 1 < operands(); ++k)
             for (std::size_t i = 0; i < count_; ++i)
-                for (std::size_t c = 0; c < components_[k]; ++c)
-                    std::memcpy(address(k, i, c), &pool_.inputs[k][(first_ + i) * components_[k] + c], sizeof(T));
+                for (std::size_t c = 0; c < components_[k]; ++c) {
+                    const auto *element = reinterpret_cast<const unsigned char *>(pool_.element(k, first_ + i));
+                    std::memcpy(address(k, i, c), element + c * scalars_[k], scalars_[k]);
+                }
         for (Block &block : blocks_)
             block.before.assign(block.low, block.high);
     }
@@ -330,7 +349,7 @@ private:
     const Subject<T> &subject_;
     const Pool<T> &pool_;
     std::string isa_;
-    std::vector<std::size_t> components_;  // of each operand
+    std::vector<std::size_t> components_, scalars_;  // of each operand: how many, and of how many bytes
     std::size_t count_ = 1, first_ = 0, input_offset_ = 0, output_offset_ = 0;
     std::vector<Layout> input_layouts_;
     Layout output_layout_;

@@ -20,8 +20,8 @@ public:
         return "normalize_motor_each of motors times 2^" + std::to_string(exponent_);
     }
 
-    std::vector<typename Subject<T>::Input> inputs() const override { return {{Operand::motor, 8}}; }
-    Operand output() const override { return Operand::motor; }
+    std::vector<typename Subject<T>::Input> inputs() const override { return {{Operand::motors, 8}}; }
+    Operand output() const override { return Operand::motors; }
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {

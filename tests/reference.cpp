@@ -1,6 +1,7 @@
 #include "reference.h"
 
 #include <cstring>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -129,6 +130,16 @@ Element transform(const Motor &motor, const Element &v)
     return project(reverse(s) * v * s);
 }
 
+// The part on the products of k vectors, which does not depend on the basis.
+Element grade(const Element &a, unsigned k)
+{
+    Element part;
+    for (unsigned bits = 0; bits < blade_count; ++bits)
+        if (count_bits(bits) == k)
+            part[bits] = a[bits];
+    return part;
+}
+
 Vector3 euclidean(const Element &v, const Real &weight)
 {
     return {coordinate(v, "1") / weight, coordinate(v, "2") / weight, coordinate(v, "3") / weight};
@@ -147,7 +158,7 @@ Element operator+(const Element &a, const Element &b)
 {
     Element sum;
     for (unsigned bits = 0; bits < blade_count; ++bits)
-        sum[bits] = a[bits] + b[bits];
+        sum[bits] = b[bits] == Real(0) ? a[bits] : a[bits] + b[bits];
     return sum;
 }
 
@@ -188,10 +199,14 @@ Element reverse(const Element &a)
 
 Element e(const char *subscripts)
 {
+    static std::map<std::string, Element> known;
+    const auto found = known.find(subscripts);
+    if (found != known.end())
+        return found->second;
     Element product(Real(1));
-    for (; *subscripts; ++subscripts)
-        product = product * basis_vector(*subscripts);
-    return product;
+    for (const char *subscript = subscripts; *subscript; ++subscript)
+        product = product * basis_vector(*subscript);
+    return known[subscripts] = product;
 }
 
 Real coordinate(const Element &a, const char *sigma) { return coordinate(a, sigma_bits(sigma)); }
@@ -216,6 +231,18 @@ Element element(const Motor &motor)
     for (std::size_t k = 0; k < 8; ++k)
         sum = sum + Element(motor[k]) * blades[k];
     return sum;
+}
+
+Element element(const Vector5 &v)
+{
+    return Element(v[0]) * e("0") + vector_element({v[1], v[2], v[3]}) + Element(v[4]) * e("i");
+}
+
+// The moment is that of b∧q = -(d × q), component by component on e1∞, e2∞ and e3∞.
+Element element(const Line &line)
+{
+    return vector_element({line[0], line[1], line[2]}) * e("123") +
+           vector_element({line[3], line[4], line[5]}) * e("i");
 }
 
 Motor motor(const Element &a)
@@ -260,7 +287,32 @@ Vector3 apply_point(const Motor &motor, const Vector3 &point)
 
 Vector3 apply_direction(const Motor &motor, const Vector3 &direction)
 {
-    return euclidean(transform(motor, vector_element(direction)), coordinate(transform(motor, e("0")), "0"));
+    const Element s = element(motor), reversed = reverse(s);
+    return euclidean(project(reversed * vector_element(direction) * s), coordinate(reversed * e("0") * s, "0"));
+}
+
+Vector5 apply_vector(const Motor &motor, const Vector5 &vector)
+{
+    const Element u = element(normalize(motor));
+    const Element moved = grade(reverse(u) * element(vector) * u, 1);
+    return {coordinate(moved, "0"), coordinate(moved, "1"), coordinate(moved, "2"), coordinate(moved, "3"),
+            coordinate(moved, "i")};
+}
+
+Line apply_line(const Motor &motor, const Line &line)
+{
+    const Element u = element(normalize(motor));
+    const Element moved = reverse(u) * element(line) * u;
+    return {coordinate(moved, "23"), -coordinate(moved, "13"), coordinate(moved, "12"),
+            coordinate(moved, "1i"), coordinate(moved, "2i"),  coordinate(moved, "3i")};
+}
+
+Motor apply_motor(const Motor &by, const Motor &moved)
+{
+    const Element t = element(by);
+    const auto [al, be] = square(by);
+    const Element inverse = (Element(Real(1) / al) - Element(be / (al * al)) * e("123i")) * reverse(t);
+    return motor(inverse * element(moved) * t);
 }
 
 Motor compose(const Motor &first, const Motor &then) { return motor(element(first) * element(then)); }
@@ -269,7 +321,7 @@ Motor reverse(const Motor &a) { return motor(reverse(element(a))); }
 
 Motor normalize(const Motor &a)
 {
-    const Real al = alpha(a), be = beta(a);
+    const auto [al, be] = square(a);
     // The inverse of the root √α (1 + ½ β/α ω) of lemma 3.4; ω² = 0.
     const Element inverse_root =
         Element(Real(1) / sqrt(al)) * (Element(Real(1)) - Element(be / (Real(2) * al)) * e("123i"));
@@ -284,9 +336,15 @@ Motor blend(const std::vector<Real> &weights, const std::vector<Motor> &controls
     return motor(sum);
 }
 
-Real alpha(const Motor &a) { return coordinate(reverse(element(a)) * element(a), ""); }
+Square square(const Motor &a)
+{
+    const Element s = element(a), product = reverse(s) * s;
+    return {coordinate(product, ""), coordinate(product, "123i")};
+}
 
-Real beta(const Motor &a) { return coordinate(reverse(element(a)) * element(a), "123i"); }
+Real alpha(const Motor &a) { return square(a).alpha; }
+
+Real beta(const Motor &a) { return square(a).beta; }
 
 Motor product_magnitudes(const Motor &first, const Motor &then)
 {

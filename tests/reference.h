@@ -16,7 +16,9 @@ namespace motorway::reference {
 
 using Real = Extended;
 using Vector3 = std::array<Real, 3>;
-using Motor = std::array<Real, 8>;  // s b12 b13 b23 b1i b2i b3i w: equation (3)
+using Motor = std::array<Real, 8>;   // s b12 b13 b23 b1i b2i b3i w: equation (3)
+using Vector5 = std::array<Real, 5>;  // grade 1: e0 e1 e2 e3 e∞
+using Line = std::array<Real, 6>;     // Plücker: the direction d, and the moment p × d of any point p on it
 
 class Element {
 public:
@@ -48,6 +50,8 @@ Real coordinate(const Element &a, const char *sigma);
 Element project(const Element &a);
 
 Element element(const Motor &motor);
+Element element(const Vector5 &vector);
+Element element(const Line &line);  // b + (b∧q) e∞ with b = d e123: the axis of lemma 3.11, of any length
 Motor motor(const Element &a);             // the eight coordinates
 Real outside_of_motors(const Element &a);  // the largest coordinate that is none of the eight
 
@@ -57,12 +61,19 @@ Element rotation(const Vector3 &unit_axis, const Real &cosine, const Real &sine,
 
 Vector3 apply_point(const Motor &motor, const Vector3 &point);          // P(S̄ p S) over its e0 part
 Vector3 apply_direction(const Motor &motor, const Vector3 &direction);  // likewise, over the e0 part of P(S̄ e0 S)
+Vector5 apply_vector(const Motor &motor, const Vector5 &vector);         // Ū v U with the motor normalised
+Line apply_line(const Motor &motor, const Line &line);                  // Ū L U, likewise
+Motor apply_motor(const Motor &by, const Motor &moved);                 // T^-1 M T, with no root
 Motor compose(const Motor &first, const Motor &then);
 Motor reverse(const Motor &motor);
 Motor normalize(const Motor &motor);  // corollary 3.7
 Motor blend(const std::vector<Real> &weights, const std::vector<Motor> &controls);
 
-Real alpha(const Motor &motor);  // S̄S = alpha + beta ω
+struct Square {
+    Real alpha, beta;  // S̄S = alpha + beta ω
+};
+Square square(const Motor &motor);
+Real alpha(const Motor &motor);
 Real beta(const Motor &motor);
 
 // For each coordinate of the product of two motors the sum of the magnitudes of the products that make it up: what

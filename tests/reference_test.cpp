@@ -181,6 +181,141 @@ TEST(Reference, product_magnitudes_bound_the_product)
     expect_close<8>(product_magnitudes(one, one), {Real(1)}, 0);
 }
 
+Vector3 operator+(const Vector3 &a, const Vector3 &b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Vector3 operator-(const Vector3 &a, const Vector3 &b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Real dot(const Vector3 &a, const Vector3 &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Vector3 cross(const Vector3 &a, const Vector3 &b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// The points p with v·p = 0 are those at `radius` from `centre`; of radius 0 it is the point itself.
+Vector5 sphere(const Vector3 &centre, const Real &radius)
+{
+    return {Real(1), centre[0], centre[1], centre[2], (dot(centre, centre) - radius * radius) / Real(2)};
+}
+
+Vector5 plane(const Vector3 &normal, const Real &distance)
+{
+    return {Real(0), normal[0], normal[1], normal[2], distance};
+}
+
+Line line_through(const Vector3 &p, const Vector3 &q)
+{
+    const Vector3 direction = q - p, moment = cross(p, direction);
+    return {direction[0], direction[1], direction[2], moment[0], moment[1], moment[2]};
+}
+
+// Motors of every kind and ordinary size, none of them normalised.
+Motor unnormalised(Random &random, int k)
+{
+    const Regime regimes[] = {Regime::scaled, Regime::pseudoscalar, Regime::scaled_pseudoscalar, Regime::half_turn};
+    Motor motor = exact_random_motor(random, regimes[k % 4]);
+    const Real size = sqrt(alpha(motor));
+    for (Real &component : motor)
+        component = component / size * Real(1.25L);
+    return motor;
+}
+
+Vector3 ordinary_point(Random &random) { return testing::random_vector(random, 0.1, 10); }
+
+// The inner product of e0 + p + ½p² e∞ with itself is 0: that is what makes it a point.
+TEST(Reference, points_and_spheres_have_the_squares_of_their_radii)
+{
+    Random random(19);
+    for (int k = 0; k < 20; ++k) {
+        const Vector3 centre = ordinary_point(random);
+        const Real radius(random.uniform(0, 5));
+        const Element v = element(sphere(centre, radius)), p = element(sphere(centre, Real(0)));
+        expect_equal(v * v, Element(radius * radius));
+        expect_equal(p * p, Element());
+    }
+}
+
+TEST(Reference, the_image_of_a_sphere_is_the_sphere_about_the_image_of_its_centre)
+{
+    Random random(20);
+    for (int k = 0; k < 100; ++k) {
+        const Motor s = unnormalised(random, k);
+        const Vector3 centre = ordinary_point(random);
+        for (const Real &radius : {Real(0), Real(random.uniform(0, 5))})
+            expect_close(apply_vector(s, sphere(centre, radius)), sphere(apply_point(s, centre), radius), 1e-25L);
+    }
+}
+
+TEST(Reference, the_image_of_a_plane_goes_through_the_images_of_its_points)
+{
+    Random random(21);
+    for (int k = 0; k < 100; ++k) {
+        const Motor s = unnormalised(random, k);
+        const Vector3 p[] = {ordinary_point(random), ordinary_point(random), ordinary_point(random)};
+        const auto through = [](const Vector3 &a, const Vector3 &b, const Vector3 &c) {
+            const Vector3 normal = cross(b - a, c - a);
+            return plane(normal, dot(normal, a));
+        };
+        expect_close(apply_vector(s, through(p[0], p[1], p[2])),
+                     through(apply_point(s, p[0]), apply_point(s, p[1]), apply_point(s, p[2])), 1e-23L);
+    }
+}
+
+TEST(Reference, the_image_of_a_line_goes_through_the_images_of_its_points)
+{
+    Random random(22);
+    for (int k = 0; k < 100; ++k) {
+        const Motor s = unnormalised(random, k);
+        const Vector3 p = ordinary_point(random), q = ordinary_point(random);
+        expect_close(apply_line(s, line_through(p, q)), line_through(apply_point(s, p), apply_point(s, q)), 1e-24L);
+    }
+}
+
+// The six numbers of a line are those of the rotation about it by half a turn (lemma 3.11).
+TEST(Reference, a_line_is_the_half_turn_about_itself)
+{
+    Random random(23);
+    for (int k = 0; k < 20; ++k) {
+        const Vector3 axis = testing::random_unit_vector(random), p = ordinary_point(random);
+        expect_equal(element(line_through(p, p + axis)), rotation(axis, Real(0), Real(1), p));
+    }
+}
+
+TEST(Reference, a_moved_rotation_is_the_rotation_about_the_moved_axis)
+{
+    Random random(24);
+    for (int k = 0; k < 100; ++k) {
+        const Motor t = unnormalised(random, k);
+        const Vector3 axis = testing::random_unit_vector(random), p = ordinary_point(random);
+        const Real cosine(random.uniform(-1, 1)), sine = sqrt(Real(1) - cosine * cosine);
+        expect_close(apply_motor(t, motor(rotation(axis, cosine, sine, p))),
+                     motor(rotation(apply_direction(t, axis), cosine, sine, apply_point(t, p))), 1e-25L);
+    }
+}
+
+// Moving where a motion happens: from the moved place the moved motion goes where the motion goes, moved.
+TEST(Reference, a_moved_motor_does_to_moved_points_what_it_did)
+{
+    Random random(25);
+    for (int k = 0; k < 100; ++k) {
+        const Motor t = unnormalised(random, k), m = unnormalised(random, k / 4);
+        const Vector3 p = ordinary_point(random);
+        expect_close(apply_point(apply_motor(t, m), apply_point(t, p)), apply_point(t, apply_point(m, p)), 1e-25L);
+    }
+}
+
+TEST(Reference, moving_by_a_product_is_moving_by_its_factors)
+{
+    Random random(26);
+    for (int k = 0; k < 50; ++k) {
+        const Motor u = unnormalised(random, k), v = unnormalised(random, k / 4), uv = compose(u, v);
+        const Vector5 vector = sphere(ordinary_point(random), Real(2));
+        const Line line = line_through(ordinary_point(random), ordinary_point(random));
+        const Motor m = exact_random_motor(random, Regime::arbitrary);
+        expect_close(apply_vector(uv, vector), apply_vector(v, apply_vector(u, vector)), 1e-24L);
+        expect_close(apply_line(uv, line), apply_line(v, apply_line(u, line)), 1e-24L);
+        expect_close(apply_motor(uv, m), apply_motor(v, apply_motor(u, m)), 1e-24L);
+    }
+}
+
 struct Spline {
     std::vector<Motor> controls;
     std::vector<Real> knots;

@@ -11,8 +11,8 @@ template <class T>
 class ReverseEach : public Subject<T> {
 public:
     std::string name() const override { return "reverse_motor_each"; }
-    std::vector<typename Subject<T>::Input> inputs() const override { return {{Operand::motor, 8}}; }
-    Operand output() const override { return Operand::motor; }
+    std::vector<typename Subject<T>::Input> inputs() const override { return {{Operand::motors, 8}}; }
+    Operand output() const override { return Operand::motors; }
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {

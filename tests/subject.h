@@ -3,6 +3,7 @@
 #ifndef MOTORWAY_TESTS_SUBJECT_H
 #define MOTORWAY_TESTS_SUBJECT_H
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -15,7 +16,23 @@
 
 namespace motorway::testing {
 
-enum class Operand { xyz, motor, weights };
+// By the views that the API takes them in. The index of an element's motor is drawn as a number, and the subject
+// makes an array of indices of it.
+enum class Operand { xyz, xyzw, vertices, vectors, lines, motors, weights, indices };
+
+// Of one element; of weights there are as many as a blend has terms.
+constexpr std::size_t components_of(Operand operand)
+{
+    switch (operand) {
+    case Operand::xyz: return 3;
+    case Operand::xyzw: return 4;
+    case Operand::vertices: return 6;
+    case Operand::vectors: return 5;
+    case Operand::lines: return 6;
+    case Operand::motors: return 8;
+    default: return 1;
+    }
+}
 
 // The exact components of an element of the result, and how far from each the computed one may be.
 struct Expected {
@@ -29,6 +46,10 @@ public:
     struct Input {
         Operand operand;
         std::size_t components;
+        std::size_t scalar = sizeof(T);  // bytes a component: motors of mixed functions have doubles among floats
+
+        // How many T an element takes.
+        std::size_t size() const { return components * scalar / sizeof(T); }
     };
 
     virtual ~Subject() = default;
@@ -38,11 +59,17 @@ public:
     virtual Operand output() const = 0;
     virtual mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const = 0;
 
+    // Whether no byte of an input may lie between those of the output, so that nothing is in place or interleaved.
+    virtual bool keeps_apart() const { return false; }
+
+    // Flags for the runs from now on; kernels that have none do not mind.
+    virtual void add_flags(unsigned) {}
+
     // Draws the inputs of one element; inputs[k] points to the components of input k.
     virtual void draw(Random &random, T *const *inputs) const = 0;
     virtual Expected expect(const T *const *inputs) const = 0;
 
-    std::size_t output_components() const { return output() == Operand::xyz ? 3 : 8; }
+    std::size_t output_components() const { return components_of(output()); }
 };
 
 template <class T>
@@ -70,20 +97,19 @@ long double size_of(const T *components, std::size_t count)
     return sum;
 }
 
-template <class T>
-reference::Motor exact_motor(const T *components)
+template <std::size_t N, class T>
+std::array<reference::Real, N> exact_numbers(const T *components)
 {
-    reference::Motor motor;
-    for (std::size_t k = 0; k < 8; ++k)
-        motor[k] = reference::Real(components[k]);
-    return motor;
+    std::array<reference::Real, N> numbers;
+    for (std::size_t k = 0; k < N; ++k)
+        numbers[k] = reference::Real(components[k]);
+    return numbers;
 }
 
 template <class T>
-reference::Vector3 exact_vector(const T *components)
-{
-    return {reference::Real(components[0]), reference::Real(components[1]), reference::Real(components[2])};
-}
+reference::Motor exact_motor(const T *components) { return exact_numbers<8>(components); }
+template <class T>
+reference::Vector3 exact_vector(const T *components) { return exact_numbers<3>(components); }
 
 }  // namespace motorway::testing
 

@@ -44,7 +44,7 @@ def _best(rows: Iterable[Row]) -> Optional[Row]:
 def _plain(results: Results, kernel: str, layout: str, count: int, flags: Optional[str] = None) -> Optional[Row]:
     """The best plain loop, of any compiler, at some flags or at any."""
     return _best(row for row in results.baselines(kernel, layout, "f32", count)
-                 if row.rival.startswith("plain-") and flags in (None, row.rival.split("-", 2)[2]))
+                 if row.is_plain and flags in (None, row.rival.split("-", 2)[2]))
 
 
 def _ours(results: Results, kernel: str, layout: str, count: int, precision: str = "f32",
@@ -111,8 +111,9 @@ def _each_packed(results: Results):
 
 
 def _grid(results: Results):
+    # 64 poses of as many points.
     for row in results.rows:
-        if row.kernel == "apply_point_grid" and row.precision == "f32" and row.isa == results.isas[0]:
+        if (row.kernel, row.precision, row.count, row.isa) == ("apply_point_grid", "f32", 65536, results.isas[0]):
             rate = results.memory["fill"].at(row.span_written)
             yield _part(row, row.span_written / rate if rate else None, 0.9, "limit_fill of the bytes written")
 

@@ -58,7 +58,7 @@ def throughput(results: Results, kernel: str, directory: str) -> Optional[str]:
         for line, precision in enumerate(precisions):
             for column, layout in enumerate(panels[precision]):
                 handles.update(_throughput_panel(axes[line][column], results, kernel, layout, precision))
-            axes[line][0].set_ylabel("billions of elements a second")
+            axes[line][0].set_ylabel("billions of results a second")
         for axis in axes[-1]:
             axis.set_xlabel("elements")
         figure.tight_layout(rect=(0, 0.0, 1, 1 - 0.42 / figure.get_figheight()), h_pad=1.6)
@@ -92,7 +92,7 @@ def _throughput_panel(axis, results: Results, kernel: str, layout: str, precisio
     limited = [row for row in best if results.limit_seconds(row)]
     if limited:
         handles["limit of the machine"], = axis.plot(
-            [row.count for row in limited], [row.count / results.limit_seconds(row)[0] / 1e9 for row in limited],
+            [row.count for row in limited], [row.results / results.limit_seconds(row)[0] / 1e9 for row in limited],
             color=LIMIT, linewidth=1.2, zorder=3)
     _decorate(axis, results, best, f"{layout}, {precision}")
     return handles
@@ -108,7 +108,7 @@ def _best_baselines(results: Results, kernel: str, layout: str, precision: str, 
     best: Dict[int, Row] = {}
     for row in results.rows:
         if row.rival and (row.kernel, row.layout, row.precision) == (kernel, layout, precision) and \
-                row.rival.startswith("plain-") == plain:
+                row.is_plain == plain and not row.is_own:
             if row.count not in best or best[row.count].items_per_second < row.items_per_second:
                 best[row.count] = row
     return [best[count] for count in sorted(best)]
@@ -174,26 +174,32 @@ def _competitors(results: Results, ours: List[Row], kernel: str, layout: str, pr
     return sorted(rows, key=lambda row: row.items_per_second)
 
 
+def _colour(results: Results, row: Row) -> str:
+    if row.isa or row.is_own:
+        return ISA_COLOURS.get(row.isa or results.isas[0], INK)
+    return PLAIN if row.is_plain else LIBRARY
+
+
 def _bar_panel(axis, results: Results, rows: List[Row], title: str) -> None:
     rates = [row.items_per_second / 1e9 for row in rows]
-    colours = [ISA_COLOURS.get(row.isa, INK) if row.isa else PLAIN if row.rival.startswith("plain-") else LIBRARY
-               for row in rows]
+    colours = [_colour(results, row) for row in rows]
     axis.barh(range(len(rows)), rates, color=colours, height=0.72)
     axis.set_yticks(range(len(rows)))
-    axis.set_yticklabels([f"motorway {row.isa}" if row.isa else row.rival for row in rows])
+    axis.set_yticklabels([f"motorway {row.isa or row.rival}" if row.isa or row.is_own else row.rival
+                          for row in rows])
     for label, row in zip(axis.get_yticklabels(), rows):
         label.set_fontweight("bold" if row.isa else "normal")
     for place, rate in enumerate(rates):
         axis.text(rate, place, f" {rate:.2f}", va="center", fontsize=8)
     best = max((row for row in rows if row.isa), key=lambda row: row.items_per_second)
     seconds = results.limit_seconds(best)
-    limit = best.count / seconds[0] / 1e9 if seconds else 0
+    limit = best.results / seconds[0] / 1e9 if seconds else 0
     axis.set_xlim(0, 1.14 * max(rates + [limit]))
     if limit:
         axis.axvline(limit, color=LIMIT, linewidth=1.2)
         axis.annotate("limit", (limit, 1), xycoords=("data", "axes fraction"), xytext=(0, 2),
                       textcoords="offset points", ha="center", va="bottom", fontsize=7.5, color=LIMIT)
     axis.set_title(title, pad=14)
-    axis.set_xlabel("billions of elements a second")
+    axis.set_xlabel("billions of results a second")
     axis.grid(axis="y", visible=False)
     axis.tick_params(length=0)

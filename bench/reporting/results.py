@@ -7,8 +7,9 @@ import re
 from dataclasses import dataclass
 from typing import Dict, List, Optional, Tuple
 
-KERNEL = re.compile(r"(?P<kernel>[a-z]+_[a-z]+_[a-z]+(?:-unit)?)/(?P<layout>aos\d*|soa)/(?P<precision>f\d+)/"
-                    r"(?P<isa>[a-z0-9]+)/(?P<count>\d+)(?:/real_time/threads:(?P<threads>\d+))?$")
+KERNEL = re.compile(r"(?P<kernel>[a-z]+_[a-z]+_[a-z]+(?:-unit)?)/(?P<layout>aos\d*|aos-columns|soa)/"
+                    r"(?P<precision>f\d+|mixed)/(?P<isa>[a-z0-9]+)/(?P<count>\d+)"
+                    r"(?:/real_time/threads:(?P<threads>\d+))?$")
 BASELINE = re.compile(r"baseline_(?P<rival>[^/]+)/(?P<kernel>[^/]+)/(?P<layout>[^/]+)/(?P<precision>[^/]+)/"
                       r"(?P<count>\d+)$")
 MEMORY_LIMIT = re.compile(r"limit_(?P<kind>copy|fill|read)/[^/]+/(?P<bytes>\d+)$")
@@ -32,6 +33,7 @@ class Row:
     threads: int
     items_per_second: float
     bytes_per_second: float
+    results: float  # of one thread: as many as the count, or of a grid for every motor
     bytes_read: float
     bytes_written: float
     span_read: float
@@ -44,8 +46,18 @@ class Row:
 
     @property
     def seconds(self) -> float:
-        """For all elements of all threads once."""
-        return self.count * self.threads / self.items_per_second
+        """For all results of all threads once."""
+        return self.results * self.threads / self.items_per_second
+
+    @property
+    def is_plain(self) -> bool:
+        """A plain loop."""
+        return bool(self.rival) and self.rival.startswith("plain-")
+
+    @property
+    def is_own(self) -> bool:
+        """The library itself, in another way."""
+        return self.rival == "two-passes"
 
 
 class MemoryLimit:
@@ -123,7 +135,8 @@ class Results:
 
     def fma_seconds(self, row: Row) -> Optional[float]:
         """What the operations of the kernel would take at best: of a baseline, on the best instruction set."""
-        rate = self.fma.get((row.precision, row.isa or self.isas[0]))
+        precision = "f64" if row.precision == "mixed" else row.precision
+        rate = self.fma.get((precision, row.isa or self.isas[0]))
         return row.operations / rate if rate else None
 
     def memory_seconds(self, row: Row) -> Optional[float]:
@@ -170,8 +183,8 @@ def _medians(entries: List[dict]) -> List[dict]:
 
 
 def _row(name: str, parts: dict, entry: dict) -> Row:
-    counters = ("items_per_second", "bytes_per_second", "bytes_read", "bytes_written", "span_read", "span_written",
-                "operations")
+    counters = ("items_per_second", "bytes_per_second", "results", "bytes_read", "bytes_written", "span_read",
+                "span_written", "operations")
     return Row(name=name, kernel=parts["kernel"], layout=parts["layout"], precision=parts["precision"],
                count=int(parts["count"]), isa=parts.get("isa"), rival=parts.get("rival"),
                threads=int(parts.get("threads") or 1), **{counter: entry[counter] for counter in counters})

@@ -7,14 +7,16 @@
 
 // apply direction one
 //
-// Forms, all proved equal; operations an element (and once a motor):
+// Forms, all proved equal; operations an element (and once a batch):
 //     sandwich    24 + 3 div or sqrt  (4)
 //     commutator  18  (4 + 1 div or sqrt)
 //     matrix      9  (28 + 1 div or sqrt)   <- chosen
 struct apply_direction_one {
+    using arithmetic = apply_direction_one;
     static constexpr int fixed_size = 8, constant_size = 9;
-    static constexpr int first_size = 3, second_size = 0;
-    static constexpr int output_size = 3;
+    static constexpr int motor_size = 0;
+    using inputs = sizes<3>;
+    using outputs = sizes<3>;
     static constexpr bool affine = true;  // the constants are a matrix by rows, then a translation
 
     // 12 mul + 8 fma + 6 fnma + 2 negate + 1 div
@@ -68,9 +70,11 @@ struct apply_direction_one {
 //     commutator  22 + 1 div or sqrt   <- chosen
 //     matrix      35 + 1 div or sqrt
 struct apply_direction_each {
+    using arithmetic = apply_direction_each;
     static constexpr int fixed_size = 0, constant_size = 0;
-    static constexpr int first_size = 8, second_size = 3;
-    static constexpr int output_size = 3;
+    static constexpr int motor_size = 8;
+    using inputs = sizes<3>;
+    using outputs = sizes<3>;
 
     // 7 mul + 10 fma + 5 fnma + 1 div
     template <class V> static inline void body(const V *in, V *out)
@@ -93,9 +97,11 @@ struct apply_direction_each {
 //     sandwich    24
 //     commutator  18   <- chosen
 struct apply_direction_each_unit {
+    using arithmetic = apply_direction_each_unit;
     static constexpr int fixed_size = 0, constant_size = 0;
-    static constexpr int first_size = 8, second_size = 3;
-    static constexpr int output_size = 3;
+    static constexpr int motor_size = 8;
+    using inputs = sizes<3>;
+    using outputs = sizes<3>;
 
     // 6 mul + 7 fma + 5 fnma
     template <class V> static inline void body(const V *in, V *out)
@@ -108,4 +114,19 @@ struct apply_direction_each_unit {
         out[1] = fma(V(2), fnma(b23, c3, fnma(b12, minus_c1, s * c2)), y);
         out[2] = fma(V(2), fma(b23, c2, fnma(b13, minus_c1, s * c3)), z);
     }
+};
+
+// apply direction grid: the arithmetic of apply_direction_one
+struct apply_direction_grid {
+    using arithmetic = apply_direction_one;
+};
+
+// apply direction indexed: the arithmetic of apply_direction_each
+struct apply_direction_indexed {
+    using arithmetic = apply_direction_each;
+};
+
+// apply direction indexed, for motors with S̄S = 1: the arithmetic of apply_direction_each_unit
+struct apply_direction_indexed_unit {
+    using arithmetic = apply_direction_each_unit;
 };

@@ -7,14 +7,16 @@
 
 // apply point one
 //
-// Forms, all proved equal; operations an element (and once a motor):
+// Forms, all proved equal; operations an element (and once a batch):
 //     sandwich    28 + 3 div or sqrt  (4)
 //     commutator  21  (4 + 1 div or sqrt)
 //     matrix      9  (43 + 1 div or sqrt)   <- chosen
 struct apply_point_one {
+    using arithmetic = apply_point_one;
     static constexpr int fixed_size = 8, constant_size = 12;
-    static constexpr int first_size = 3, second_size = 0;
-    static constexpr int output_size = 3;
+    static constexpr int motor_size = 0;
+    using inputs = sizes<3>;
+    using outputs = sizes<3>;
     static constexpr bool affine = true;  // the constants are a matrix by rows, then a translation
 
     // 18 mul + 13 fma + 10 fnma + 2 negate + 1 div
@@ -76,9 +78,11 @@ struct apply_point_one {
 //     commutator  25 + 1 div or sqrt   <- chosen
 //     matrix      50 + 1 div or sqrt
 struct apply_point_each {
+    using arithmetic = apply_point_each;
     static constexpr int fixed_size = 0, constant_size = 0;
-    static constexpr int first_size = 8, second_size = 3;
-    static constexpr int output_size = 3;
+    static constexpr int motor_size = 8;
+    using inputs = sizes<3>;
+    using outputs = sizes<3>;
 
     // 4 mul + 14 fma + 7 fnma + 1 div
     template <class V> static inline void body(const V *in, V *out)
@@ -102,9 +106,11 @@ struct apply_point_each {
 //     sandwich    28
 //     commutator  21   <- chosen
 struct apply_point_each_unit {
+    using arithmetic = apply_point_each_unit;
     static constexpr int fixed_size = 0, constant_size = 0;
-    static constexpr int first_size = 8, second_size = 3;
-    static constexpr int output_size = 3;
+    static constexpr int motor_size = 8;
+    using inputs = sizes<3>;
+    using outputs = sizes<3>;
 
     // 3 mul + 11 fma + 7 fnma
     template <class V> static inline void body(const V *in, V *out)
@@ -118,4 +124,19 @@ struct apply_point_each_unit {
         out[1] = fma(V(2), fnma(b23, c3, fnma(b13, w, fma(b12, c1, s * c2))), y);
         out[2] = fma(V(2), fma(b23, c2, fma(b13, c1, fma(b12, w, s * c3))), z);
     }
+};
+
+// apply point grid: the arithmetic of apply_point_one
+struct apply_point_grid {
+    using arithmetic = apply_point_one;
+};
+
+// apply point indexed: the arithmetic of apply_point_each
+struct apply_point_indexed {
+    using arithmetic = apply_point_each;
+};
+
+// apply point indexed, for motors with S̄S = 1: the arithmetic of apply_point_each_unit
+struct apply_point_indexed_unit {
+    using arithmetic = apply_point_each_unit;
 };

@@ -10,9 +10,12 @@
 // Forms, all proved equal; operations an element:
 //     term        8   <- chosen
 struct blend_motor_one {
+    using arithmetic = blend_motor_one;
     static constexpr int fixed_size = 0, constant_size = 0;
-    static constexpr int first_size = 8, second_size = 9;
-    static constexpr int output_size = 8;
+    static constexpr int motor_size = 0;
+    using inputs = sizes<1, 8>;
+    using outputs = sizes<8>;
+    static constexpr bool accumulates = true;  // the body adds a term to the sum that is its first input
 
     // 8 fma
     template <class V> static inline void body(const V *in, V *out)
@@ -36,9 +39,12 @@ struct blend_motor_one {
 // Forms, all proved equal; operations an element:
 //     term        8   <- chosen
 struct blend_motor_each {
+    using arithmetic = blend_motor_each;
     static constexpr int fixed_size = 0, constant_size = 0;
-    static constexpr int first_size = 8, second_size = 9;
-    static constexpr int output_size = 8;
+    static constexpr int motor_size = 0;
+    using inputs = sizes<1, 8>;
+    using outputs = sizes<8>;
+    static constexpr bool accumulates = true;  // the body adds a term to the sum that is its first input
 
     // 8 fma
     template <class V> static inline void body(const V *in, V *out)

@@ -10,9 +10,11 @@
 // Forms, all proved equal; operations an element:
 //     product     48   <- chosen
 struct compose_motor_each {
+    using arithmetic = compose_motor_each;
     static constexpr int fixed_size = 0, constant_size = 0;
-    static constexpr int first_size = 8, second_size = 8;
-    static constexpr int output_size = 8;
+    static constexpr int motor_size = 0;
+    using inputs = sizes<8, 8>;
+    using outputs = sizes<8>;
 
     // 8 mul + 22 fma + 18 fnma
     template <class V> static inline void body(const V *in, V *out)

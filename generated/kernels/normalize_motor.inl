@@ -11,9 +11,11 @@
 //     quotient    17 + 10 div or sqrt
 //     reciprocal  22 + 2 div or sqrt   <- chosen
 struct normalize_motor_each {
+    using arithmetic = normalize_motor_each;
     static constexpr int fixed_size = 0, constant_size = 0;
-    static constexpr int first_size = 8, second_size = 0;
-    static constexpr int output_size = 8;
+    static constexpr int motor_size = 0;
+    using inputs = sizes<8>;
+    using outputs = sizes<8>;
 
     // 12 mul + 6 fma + 4 fnma + 1 div + 1 sqrt
     template <class V> static inline void body(const V *in, V *out)

@@ -10,9 +10,11 @@
 // Forms, all proved equal; operations an element:
 //     reverse     6   <- chosen
 struct reverse_motor_each {
+    using arithmetic = reverse_motor_each;
     static constexpr int fixed_size = 0, constant_size = 0;
-    static constexpr int first_size = 8, second_size = 0;
-    static constexpr int output_size = 8;
+    static constexpr int motor_size = 0;
+    using inputs = sizes<8>;
+    using outputs = sizes<8>;
 
     // 6 negate
     template <class V> static inline void body(const V *in, V *out)

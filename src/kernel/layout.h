@@ -2,7 +2,8 @@
 //
 // All have the same interface: load(i, v) and store(i, v) move the `width` elements from element i;
 // load_partial(i, n, v) and store_partial(i, n, v) the n < width elements from element i. Not a byte outside these
-// elements is touched; lanes without an element hold ones.
+// elements is touched; lanes without an element hold ones. Writers of whole registers also have store_streaming(i, v), a store
+// past the caches.
 #pragma once
 
 #include "call.h"
@@ -42,6 +43,9 @@ public:
     {
         for (int c = 0; c < N; ++c)
             v[c] = MOTORWAY_ISA_NAME::load(base[c] + i);
+        if constexpr (N <= 4) // more would crowd out what is computed
+            for (int c = 0; c < N; ++c)
+                keep(v[c]);
     }
     void load_partial(std::size_t i, int n, V *v) const
     {
@@ -52,6 +56,11 @@ public:
     {
         for (int c = 0; c < N; ++c)
             MOTORWAY_ISA_NAME::store(base[c] + i, v[c]);
+    }
+    void store_streaming(std::size_t i, const V *v) const
+    {
+        for (int c = 0; c < N; ++c)
+            MOTORWAY_ISA_NAME::store_streaming(base[c] + i, v[c]);
     }
     void store_partial(std::size_t i, int n, const V *v) const
     {
@@ -73,6 +82,11 @@ public:
     explicit packed_registers(const stream<T> &s) : base(s.component[0]) {}
     void load(std::size_t i, V *v) const { load_from(base + N * i, v); }
     void store(std::size_t i, const V *v) const { store_to(base + N * i, v); }
+    void store_streaming(std::size_t i, const V *v) const
+    {
+        for (int r = 0; r < N; ++r)
+            store_groups_streaming(base + N * i + r * G, v[r], N * G);
+    }
     void load_partial(std::size_t i, int n, V *v) const
     {
         if constexpr (G == W) {
@@ -146,6 +160,12 @@ public:
         turn(v, turned);
         memory.store(i, turned);
     }
+    void store_streaming(std::size_t i, const V *v) const
+    {
+        V turned[N];
+        turn(v, turned);
+        memory.store_streaming(i, turned);
+    }
     void store_partial(std::size_t i, int n, const V *v) const
     {
         V turned[N];
@@ -164,14 +184,53 @@ private:
 #endif
 
 // -------------------------------------------------------------------------------------------- interleaved
-
-// Adjacent components, any stride: elements are moved in rows of up to four components, which are transposed in
+//
+// Adjacent components at any addresses: elements are moved in rows of up to four components, which are transposed in
 // registers. Lane 4 g + q holds element 4 g + q, so register q of a square holds the rows of elements q, 4 + q, ...
+
+// What lanes without an element read.
+template <class T> constexpr T ones[] = {1, 1, 1, 1, 1, 1, 1, 1};
+
 #if !defined(MOTORWAY_ISA_scalar)
+template <int N, int First> constexpr int row_size = N - First < 4 ? N - First : 4;
+
+// Elements of N components; element(lane) is where that of a lane begins.
+template <int N, class T, int First = 0, class Address> inline void load_squares(vector<T> *v, Address element)
+{
+    if constexpr (First < N) {
+        vector<T> square[4];
+        for (int q = 0; q < 4; ++q) {
+            const T *row[rows<T>];
+            for (int g = 0; g < rows<T>; ++g)
+                row[g] = element(4 * g + q) + First;
+            square[q] = load_rows<row_size<N, First>>(row);
+        }
+        transpose_groups(square, lanes_of<width<T>>{});
+        for (int c = 0; c < row_size<N, First>; ++c)
+            v[First + c] = square[c];
+        load_squares<N, T, First + 4>(v, element);
+    }
+}
+template <int N, class T, int First = 0, class Address> inline void store_squares(const vector<T> *v, Address element)
+{
+    if constexpr (First < N) {
+        vector<T> square[4];
+        for (int c = 0; c < 4; ++c)
+            square[c] = v[First + (c < row_size<N, First> ? c : 0)];
+        transpose_groups(square, lanes_of<width<T>>{});
+        for (int q = 0; q < 4; ++q) {
+            T *row[rows<T>];
+            for (int g = 0; g < rows<T>; ++g)
+                row[g] = element(4 * g + q) + First;
+            store_rows<row_size<N, First>>(row, square[q]);
+        }
+        store_squares<N, T, First + 4>(v, element);
+    }
+}
+
 template <class T, int N> class interleaved_rows {
     using real = std::remove_const_t<T>;
     using V = vector<real>;
-    static constexpr int W = width<real>;
     T *base;
     std::size_t stride;
 
@@ -179,59 +238,22 @@ public:
     explicit interleaved_rows(const stream<T> &s) : base(s.component[0]), stride(s.stride) {}
     void load(std::size_t i, V *v) const
     {
-        load_squares(v, [=](int lane) { return at(base, stride, i + lane); });
+        load_squares<N, real>(v, [=](int lane) { return at(base, stride, i + lane); });
     }
     void load_partial(std::size_t i, int n, V *v) const
     {
-        static constexpr real ones[] = {1, 1, 1, 1, 1, 1, 1, 1};
         static_assert(N <= 8);
-        load_squares(v, [=](int lane) { return lane < n ? at(base, stride, i + lane) : ones; });
+        load_squares<N, real>(v, [=](int lane) { return lane < n ? at(base, stride, i + lane) : ones<real>; });
     }
     void store(std::size_t i, const V *v) const
     {
-        store_squares(v, [=](int lane) { return at(base, stride, i + lane); });
+        store_squares<N, real>(v, [=](int lane) { return at(base, stride, i + lane); });
     }
     void store_partial(std::size_t i, int n, const V *v) const
     {
         real nowhere[N];
         real *const dropped = nowhere;
-        store_squares(v, [=](int lane) { return lane < n ? at(base, stride, i + lane) : dropped; });
-    }
-
-private:
-    template <int First> static constexpr int size = N - First < 4 ? N - First : 4;
-
-    template <int First = 0, class Address> static void load_squares(V *v, Address element)
-    {
-        if constexpr (First < N) {
-            V square[4];
-            for (int q = 0; q < 4; ++q) {
-                const real *row[rows<real>];
-                for (int g = 0; g < rows<real>; ++g)
-                    row[g] = element(4 * g + q) + First;
-                square[q] = load_rows<size<First>>(row);
-            }
-            transpose_groups(square, lanes_of<W>{});
-            for (int c = 0; c < size<First>; ++c)
-                v[First + c] = square[c];
-            load_squares<First + 4>(v, element);
-        }
-    }
-    template <int First = 0, class Address> static void store_squares(const V *v, Address element)
-    {
-        if constexpr (First < N) {
-            V square[4];
-            for (int c = 0; c < 4; ++c)
-                square[c] = v[First + (c < size<First> ? c : 0)];
-            transpose_groups(square, lanes_of<W>{});
-            for (int q = 0; q < 4; ++q) {
-                real *row[rows<real>];
-                for (int g = 0; g < rows<real>; ++g)
-                    row[g] = element(4 * g + q) + First;
-                store_rows<size<First>>(row, square[q]);
-            }
-            store_squares<First + 4>(v, element);
-        }
+        store_squares<N, real>(v, [=](int lane) { return lane < n ? at(base, stride, i + lane) : dropped; });
     }
 };
 #endif
@@ -296,13 +318,33 @@ template <class T> constexpr bool has_rows = rows<std::remove_const_t<T>> > 0;
 template <class T, int N>
 using interleaved_stream = std::conditional_t<has_rows<T>, interleaved_rows<T, N>, scattered_stream<T, N>>;
 // Whole rows of four are transposed at less cost than by permutes, except where every permute is one instruction.
+template <int N> constexpr bool has_permutes = N == 3 || N == 4 || N == 8;
 template <class T, int N>
-using packed_stream = std::conditional_t<N % 4 == 0 && has_rows<T> && !permutes_are_cheap, interleaved_rows<T, N>,
-                                         packed_transposed<T, N>>;
+using packed_stream =
+    std::conditional_t<has_permutes<N> && !(N % 4 == 0 && has_rows<T> && !permutes_are_cheap),
+                       packed_transposed<T, N>, interleaved_stream<T, N>>;
 #endif
+
+// Elements of N adjacent components at any addresses: element(lane) is where that of a lane begins.
+template <int N, class T, class Address> inline void load_elements(vector<T> *v, Address element)
+{
+#if !defined(MOTORWAY_ISA_scalar)
+    if constexpr (has_rows<T>)
+        return load_squares<N, T>(v, element);
+#endif
+    for (int c = 0; c < N; ++c) {
+        T lanes[width<T>];
+        for (int lane = 0; lane < width<T>; ++lane)
+            lanes[lane] = read<T>(element(lane) + c);
+        v[c] = load(lanes);
+    }
+}
 
 // --------------------------------------------------------------------------------------------------- any
 
+#if defined(MOTORWAY_ISA_scalar)
+template <class T, int N> using any_stream = scattered_stream<T, N>;
+#else
 // Whichever of the four the stream is, decided at every access.
 template <class T, int N> class any_stream {
     using V = vector<std::remove_const_t<T>>;
@@ -342,6 +384,7 @@ public:
         use([=](const auto &s) { s.store_partial(i, n, v); });
     }
 };
+#endif
 
 } // namespace
 } // namespace MOTORWAY_ISA_NAME

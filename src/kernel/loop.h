@@ -1,270 +1,157 @@
-// The loops that drive a generated kernel over a batch: one for element kernels, one for affine maps of packed
-// triples, two for blends. Tails go through the same vector code.
+// The loop that drives a generated kernel over a batch, and the choice of its readers and writers. Tails go through
+// the same vector code.
 #pragma once
 
-#include "layout.h"
-
-// Everything that a loop calls is compiled into it, so that elements stay in registers.
-#define MOTORWAY_LOOP __attribute__((flatten))
+#include "affine.h"
+#include "blend.h"
+#include "grid.h"
+#include "streams.h"
 
 namespace motorway {
 namespace MOTORWAY_ISA_NAME {
 namespace {
 
-// What the prologue makes of the fixed input, in every lane. An array of one where there is no prologue.
-template <class K, class T, class V> inline void broadcast_constants(const T *fixed, V *constant)
+// The elements of a register from element i on; with Partial the first n of them.
+template <class K, class T, class E, bool Partial, store_mode Mode, class Motors, class In, class Out>
+inline void run_block(const vector<T> *constant, const Motors &motors, const In &in, const Out &out, std::size_t i,
+                      [[maybe_unused]] int n)
 {
-    if constexpr (K::constant_size > 0) {
-        T scalar[K::constant_size];
-        K::template prologue<T>(fixed, scalar);
-        for (int c = 0; c < K::constant_size; ++c)
-            constant[c] = V(scalar[c]);
-    }
-}
-
-template <class K, class V> inline void run_body(const V *constant, const V *in, V *out)
-{
-    if constexpr (K::constant_size > 0)
-        K::template body<V>(constant, in, out);
+    vector<E> given[K::inputs::sum], result[K::outputs::sum];
+    if constexpr (Partial)
+        in.load_partial(i, n, given);
     else
-        K::template body<V>(in, out);
+        in.load(i, given);
+    run_halves<K, T, E>(constant, given, result, [&](int half, vector<T> *v) {
+        const std::size_t first = i + half * width<T>;
+        if constexpr (Partial) {
+            const int left = lanes_left<T>(n, half * width<T>);
+            left < width<T> ? motors.load_partial(first, left, v) : motors.load(first, v);
+        } else
+            motors.load(first, v);
+    });
+    if constexpr (Partial)
+        out.store_partial(i, n, result);
+    else if constexpr (Mode == store_mode::streaming)
+        out.store_streaming(i, result);
+    else
+        out.store(i, result);
 }
 
-// A kernel of one or two streams, each with its reader, into a writer.
-template <class K, class T, template <class, int> class Stream> MOTORWAY_LOOP void run_elements(const call<T> &c)
+// Elements from motors of any source and streams of one layout. `before_line` elements come before the results begin a
+// cache line.
+template <class K, class T, class E, template <class> class Motors, template <class, int> class Stream,
+          store_mode Mode = store_mode::cached>
+MOTORWAY_LOOP void run_elements(const call<T, E> &c, [[maybe_unused]] int before_line = 0)
 {
-    using V = vector<T>;
-    constexpr int N = K::first_size, M = K::second_size;
-    V constant[K::constant_size + 1];
+    vector<T> constant[K::constant_size + 1];
     broadcast_constants<K>(c.fixed, constant);
-    const Stream<const T, N> first(c.in[0]);
-    const Stream<const T, M ? M : N> second(c.in[M ? 1 : 0]);
-    const Stream<T, K::output_size> out(c.out);
-    V in[N + M], result[K::output_size];
+    const Motors<T> motors(c);
+    const bundle<const E, Stream, typename K::inputs> in(c.in);
+    const bundle<E, Stream, typename K::outputs> out(c.out);
     const std::size_t count = c.count; // a store could change the original for all that the compiler knows
     std::size_t i = 0;
-    for (; count - i >= width<T>; i += width<T>) {
-        first.load(i, in);
-        if constexpr (M > 0)
-            second.load(i, in + N);
-        run_body<K>(constant, in, result);
-        out.store(i, result);
-    }
-    if (const int left = static_cast<int>(count - i)) {
-        first.load_partial(i, left, in);
-        if constexpr (M > 0)
-            second.load_partial(i, left, in + N);
-        run_body<K>(constant, in, result);
-        out.store_partial(i, left, result);
-    }
-}
-
-#if !defined(MOTORWAY_ISA_scalar)
-
-// An affine map of packed triples, without transposing: in each of three output registers, lane by lane, the three
-// components of its element are picked from the input and multiplied with coefficients of period three. The order
-// of the operations is that of the body, so the bits are the same.
-template <class K, class T> class packed_affine_map {
-    using V = vector<T>;
-    static constexpr int W = width<T>, G = group<T>;
-    static constexpr bool translates = K::constant_size == 12;
-    V matrix[3][3]; // [register][column]
-    V translation[3];
-
-    // The coefficients of column C in register R: those of the row that each lane belongs to. Column 3 translates.
-    template <int R, int C> struct coefficient {
-        static constexpr int of(int lane)
-        {
-            const int row = (G * R + lane % G) % 3;
-            return C == 3 ? 9 + row : 3 * row + C;
+    if constexpr (Mode == store_mode::streaming)
+        for (int n; before_line > 0; before_line -= n, i += static_cast<std::size_t>(n)) {
+            n = lanes_left<E>(before_line, 0);
+            run_block<K, T, E, true, Mode>(constant, motors, in, out, i, n);
         }
-    };
-    template <int R, int C, int... J> static V repeat(const T *constant, std::integer_sequence<int, J...> lanes)
-    {
-        if constexpr (W >= 4) {
-            const V r[] = {load(constant), load(constant + (W < 16 ? W : 0)), load(constant + (W < 8 ? 2 * W : 0))};
-            return pick3<coefficient<R, C>, W>(r, lanes);
-        } else
-            return from_lanes<T>(constant[coefficient<R, C>::of(J)]...);
-    }
-    template <int R> void set_register(const T *constant)
-    {
-        matrix[R][0] = repeat<R, 0>(constant, lanes_of<W>{});
-        matrix[R][1] = repeat<R, 1>(constant, lanes_of<W>{});
-        matrix[R][2] = repeat<R, 2>(constant, lanes_of<W>{});
-        if constexpr (translates)
-            translation[R] = repeat<R, 3>(constant, lanes_of<W>{});
-    }
-    template <int R> V map_register(const V *in) const
-    {
-        const V x = pick3<component_in_triples<R, 0, G>, G>(in, lanes_of<W>{});
-        const V y = pick3<component_in_triples<R, 1, G>, G>(in, lanes_of<W>{});
-        const V z = pick3<component_in_triples<R, 2, G>, G>(in, lanes_of<W>{});
-        const V first = translates ? fma(matrix[R][0], x, translation[R]) : matrix[R][0] * x;
-        return fma(matrix[R][2], z, fma(matrix[R][1], y, first));
-    }
-
-public:
-    explicit packed_affine_map(const T *fixed)
-    {
-        T constant[16] = {}; // whole registers
-        K::template prologue<T>(fixed, constant);
-        set_register<0>(constant);
-        set_register<1>(constant);
-        set_register<2>(constant);
-    }
-    void map(const V *in, V *out) const
-    {
-        out[0] = map_register<0>(in);
-        out[1] = map_register<1>(in);
-        out[2] = map_register<2>(in);
-    }
-};
-
-template <class K, class T> MOTORWAY_LOOP void run_packed_affine(const call<T> &c)
-{
-    const packed_affine_map<K, T> affine(c.fixed);
-    const packed_registers<const T, 3> from(c.in[0]);
-    const packed_registers<T, 3> to(c.out);
-    vector<T> in[3], out[3];
-    const std::size_t count = c.count;
-    std::size_t i = 0;
-    for (; count - i >= width<T>; i += width<T>) {
-        from.load(i, in);
-        affine.map(in, out);
-        to.store(i, out);
-    }
-    if (const int left = static_cast<int>(count - i)) {
-        from.load_partial(i, left, in);
-        affine.map(in, out);
-        to.store_partial(i, left, out);
-    }
+    for (; count - i >= width<E>; i += width<E>)
+        run_block<K, T, E, false, Mode>(constant, motors, in, out, i, width<E>);
+    if (const int left = static_cast<int>(count - i))
+        run_block<K, T, E, true, Mode>(constant, motors, in, out, i, left);
 }
 
+template <class Stream> inline bool all_are(layout kind, const Stream *streams, int number)
+{
+    bool all = true;
+    for (int k = 0; k < number; ++k)
+        all &= streams[k].kind == kind;
+    return all;
+}
+
+template <class K, class T, class E> inline bool elements_are(const call<T, E> &c, layout kind)
+{
+#if defined(MOTORWAY_ISA_scalar) // one element a register: every layout is as good as any
+    return false;
 #endif
-
-// The count from which setting up the coefficients of a packed affine map costs less than it saves.
-constexpr std::size_t affine_pays = 128;
-
-// Whether a kernel is an affine map of triples.
-template <class K, class = void> constexpr bool is_affine = false;
-template <class K> constexpr bool is_affine<K, std::enable_if_t<K::affine>> = true;
-
-template <class K, class T> inline bool all_are(const call<T> &c, layout kind)
-{
-    return c.out.kind == kind && c.in[0].kind == kind && (K::second_size == 0 || c.in[1].kind == kind);
+    return all_are(kind, c.out, K::outputs::number) && all_are(kind, c.in, K::inputs::number);
 }
 
-// The entry of the kernel table: the fast loops where every stream has the same layout, else the general one.
-template <class K, class T> void run(const call<T> &c)
+// All streams of one layout that has whole registers: their results can go past the caches.
+template <class K, class T, class E, template <class> class Motors, template <class, int> class Stream>
+inline void run_whole_registers(const call<T, E> &c)
 {
-    if (all_are<K>(c, layout::soa))
-        return run_elements<K, T, soa_stream>(c);
-    if (all_are<K>(c, layout::packed)) {
+    if constexpr (has_streaming_stores && K::outputs::are_triples)
+        if (c.streaming && c.count >= cache_line) {
+            const int before_line = elements_to_line(c.out, K::outputs::number, 3);
+            if (before_line != never)
+                return run_elements<K, T, E, Motors, Stream, store_mode::streaming>(c, before_line);
+        }
+    run_elements<K, T, E, Motors, Stream>(c);
+}
+
+// Motors that do not depend on the layout of the elements: the fast loops where all of these have the same layout, else
+// the general one.
+template <class K, class T, class E, template <class> class Motors> inline void run_any_layout(const call<T, E> &c)
+{
+    if (elements_are<K>(c, layout::soa))
+        return run_whole_registers<K, T, E, Motors, soa_stream>(c);
 #if !defined(MOTORWAY_ISA_scalar)
-        if constexpr (is_affine<K>)
-            if (c.count >= affine_pays)
-                return run_packed_affine<K, T>(c);
+    if constexpr (is_affine<K> && std::is_same_v<T, E>)
+        if (run_as_packed_affine<K>(c))
+            return;
 #endif
-        return run_elements<K, T, packed_stream>(c);
-    }
-    if (all_are<K>(c, layout::interleaved))
-        return run_elements<K, T, interleaved_stream>(c);
-    run_elements<K, T, any_stream>(c);
+    if (elements_are<K>(c, layout::packed))
+        return run_whole_registers<K, T, E, Motors, packed_stream>(c);
+    if constexpr (K::inputs::are_small || K::motor_size == 0)
+        if (elements_are<K>(c, layout::interleaved))
+            return run_elements<K, T, E, Motors, interleaved_stream>(c);
+    run_elements<K, T, E, Motors, any_stream>(c);
 }
 
-// --------------------------------------------------------------------------------------------------- blends
+// ------------------------------------------------------------------------ the entries of the kernel table, by pairing
 
-// Σk weight k · control k for one block of elements. `load_term(k, v)` fills v with a weight and a control.
-template <class K, class T, class Load> inline void blend_block(std::size_t terms, const Load &load_term, vector<T> *sum)
+template <class K, class T, class E> void run_one(const call<T, E> &c)
 {
-    using V = vector<T>;
-    constexpr int N = K::output_size;
-    for (int n = 0; n < N; ++n)
-        sum[n] = V(T(0));
-    for (std::size_t k = 0; k < terms; ++k) {
-        V in[N + 1 + N]; // the sum so far, a weight, a control
-        for (int n = 0; n < N; ++n)
-            in[n] = sum[n];
-        load_term(k, in + N);
-        K::template body<V>(in, sum);
-    }
+    if constexpr (accumulates<K>)
+        run_blend_shared<K>(c);
+    else
+        run_any_layout<K, T, E, no_motors>(c);
 }
 
-// A blend with given readers. Controls is shared_controls or a stream.
-template <class K, class T, template <class, int> class Weights, template <class, int> class Controls>
-MOTORWAY_LOOP void run_blend(const call<T> &c)
+template <class K, class T, class E> void run_each(const call<T, E> &c)
 {
-    using V = vector<T>;
-    constexpr int N = K::output_size;
-    const any_stream<T, N> out(c.out);
-    const auto weights = [&](std::size_t k) {
-        return Weights<const T, 1>({c.in[0].component + k, c.in[0].stride, c.in[0].kind});
-    };
-    const auto controls = [&](std::size_t k) { return Controls<const T, N>(c, k); };
-    V sum[N];
-    const std::size_t count = c.count;
-    std::size_t i = 0;
-    for (; count - i >= width<T>; i += width<T>) {
-        blend_block<K, T>(
-            c.terms, [&](std::size_t k, V *v) { weights(k).load(i, v), controls(k).load(i, v + 1); }, sum);
-        out.store(i, sum);
-    }
-    if (const int left = static_cast<int>(count - i)) {
-        blend_block<K, T>(
-            c.terms,
-            [&](std::size_t k, V *v) {
-                weights(k).load_partial(i, left, v), controls(k).load_partial(i, left, v + 1);
-            },
-            sum);
-        out.store_partial(i, left, sum);
+    if constexpr (accumulates<K>)
+        run_blend_each<K>(c);
+    else if constexpr (K::motor_size == 0)
+        run_any_layout<K, T, E, no_motors>(c);
+    else {
+        // As above; the motors have that layout too, or no stream is taken for fast.
+        const layout kind = c.motors.kind;
+        if (kind == layout::soa && elements_are<K>(c, kind))
+            return run_whole_registers<K, T, E, own_motors<soa_stream>::template of, soa_stream>(c);
+        if (kind == layout::packed && elements_are<K>(c, kind))
+            return run_whole_registers<K, T, E, own_motors<packed_stream>::template of, packed_stream>(c);
+        if constexpr (K::inputs::are_small)
+            if (kind == layout::packed && elements_are<K>(c, layout::interleaved))
+                return run_elements<K, T, E, own_motors<packed_stream>::template of, interleaved_stream>(c);
+        run_elements<K, T, E, own_motors<any_stream>::template of, any_stream>(c);
     }
 }
 
-// The k-th control, the same for every element.
-template <class T, int N> class shared_controls {
-    using V = vector<std::remove_const_t<T>>;
-    T *control;
-
-public:
-    shared_controls(const call<std::remove_const_t<T>> &c, std::size_t k) : control(c.fixed + N * k) {}
-    void load(std::size_t, V *v) const
-    {
-        for (int n = 0; n < N; ++n)
-            v[n] = V(control[n]);
-    }
-    void load_partial(std::size_t i, int, V *v) const { load(i, v); }
-};
-
-// The k-th controls, one an element.
-template <template <class, int> class Stream> struct own_controls {
-    template <class T, int N> struct type : Stream<T, N> {
-        type(const call<std::remove_const_t<T>> &c, std::size_t k) : Stream<T, N>(c.in[1 + k]) {}
-    };
-};
-
-template <class K, class T> void run_blend_shared(const call<T> &c)
+// The images of an element lie side by side: the other grid is api.cpp's.
+template <class K, class T, class E> void run_grid(const call<T, E> &c)
 {
-    if (c.in[0].kind == layout::soa)
-        return run_blend<K, T, soa_stream, shared_controls>(c);
-    run_blend<K, T, any_stream, shared_controls>(c);
+    if (all_are(layout::soa, c.out, K::outputs::number))
+        return run_lanes_of_motors<K, T, E, soa_stream>(c);
+    if (all_are(layout::packed, c.out, K::outputs::number))
+        return run_lanes_of_motors<K, T, E, packed_stream>(c);
+    run_lanes_of_motors<K, T, E, any_stream>(c);
 }
 
-template <class T> inline bool all_controls_are(const call<T> &c, layout kind)
+template <class K, class T, class E> void run_indexed(const call<T, E> &c)
 {
-    for (std::size_t k = 1; k <= c.terms; ++k)
-        if (c.in[k].kind != kind)
-            return false;
-    return true;
-}
-
-template <class K, class T> void run_blend_each(const call<T> &c)
-{
-    if (c.in[0].kind == layout::soa && all_controls_are(c, layout::soa))
-        return run_blend<K, T, soa_stream, own_controls<soa_stream>::template type>(c);
-    if (c.in[0].kind == layout::soa && all_controls_are(c, layout::packed))
-        return run_blend<K, T, soa_stream, own_controls<packed_stream>::template type>(c);
-    run_blend<K, T, any_stream, own_controls<any_stream>::template type>(c);
+    run_any_layout<K, T, E, palette_motors>(c);
 }
 
 } // namespace

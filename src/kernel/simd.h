@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 #if defined(MOTORWAY_ISA_scalar)
@@ -90,9 +91,19 @@ inline doubles fms(const doubles &a, const doubles &b, const doubles &c) { retur
 #endif
 #endif
 
-// The sign bit alone: 0 becomes -0, which is not what every version of xsimd makes of it.
-inline float negate(float a) { return -a; }
-inline double negate(double a) { return -a; }
+// The sign bit alone: 0 becomes -0, which is not what every version of xsimd makes of it, nor GCC where it fuses: it
+// makes -a b - c of -(a b + c), which is 0 and not -0 where they cancel. The empty statement keeps it from that.
+template <class T> inline T negate_scalar(T a)
+{
+#if defined(__x86_64__) || defined(__i386__)
+    asm("" : "+x"(a));
+#elif defined(__aarch64__)
+    asm("" : "+w"(a));
+#endif
+    return -a;
+}
+inline float negate(float a) { return negate_scalar(a); }
+inline double negate(double a) { return negate_scalar(a); }
 #if !defined(MOTORWAY_ISA_scalar)
 template <class T, class A> inline xsimd::batch<T, A> negate(const xsimd::batch<T, A> &a)
 {
@@ -136,6 +147,7 @@ template <class T> inline void write(void *to, T value) { __builtin_memcpy(to, &
 
 template <class T> inline T load(const T *from) { return read<T>(from); }
 template <class T> inline void store(T *to, T value) { write(to, value); }
+template <class T> inline void keep(T &) {}
 template <class T> inline T load_partial(const T *, int) { return T(1); } // no lane is ever left over
 template <class T> inline void store_partial(T *, T, int) {}
 template <class T> inline T load_groups(const T *from, int) { return read<T>(from); }
@@ -145,6 +157,18 @@ template <class T> inline void store_groups(T *to, T value, int) { write(to, val
 
 template <class T> inline vector<T> load(const T *from) { return vector<T>::load_unaligned(from); }
 template <class T> inline void store(T *to, const vector<T> &value) { value.store_unaligned(to); }
+
+// Keeps a loaded value in its register: GCC would otherwise load it again for each of its uses.
+template <class T, class A> inline void keep(xsimd::batch<T, A> &value)
+{
+    auto native = static_cast<typename xsimd::batch<T, A>::register_type>(value);
+#if defined(MOTORWAY_ISA_neon64)
+    asm("" : "+w"(native));
+#else
+    asm("" : "+v"(native));
+#endif
+    value = native;
+}
 
 // The groups of a register from, and to, memory at a distance of `step` scalars.
 #if defined(MOTORWAY_ISA_avx2)
@@ -332,6 +356,105 @@ template <int Size, class T> inline void store_rows(T *const *row, const vector<
 #endif
 }
 
+#endif
+
+// ------------------------------------------------------------------------------------------- past the caches
+//
+// Stores that go to memory without a place in a cache; addresses are multiples of a group. `fence` puts them before all
+// stores that follow.
+
+constexpr std::size_t cache_line = 64;
+
+#if defined(MOTORWAY_ISA_avx512)
+constexpr bool has_streaming_stores = true;
+inline void store_streaming(float *to, const floats &value) { _mm512_stream_ps(to, value); }
+inline void store_streaming(double *to, const doubles &value) { _mm512_stream_pd(to, value); }
+#elif defined(MOTORWAY_ISA_avx2)
+constexpr bool has_streaming_stores = true;
+inline void store_streaming(float *to, const floats &value) { _mm256_stream_ps(to, value); }
+inline void store_streaming(double *to, const doubles &value) { _mm256_stream_pd(to, value); }
+#elif defined(MOTORWAY_ISA_sse2)
+constexpr bool has_streaming_stores = true;
+inline void store_streaming(float *to, const vector<float> &value) { _mm_stream_ps(to, value); }
+inline void store_streaming(double *to, const vector<double> &value) { _mm_stream_pd(to, value); }
+#else
+constexpr bool has_streaming_stores = false;
+template <class T> inline void store_streaming(T *to, const vector<T> &value) { store(to, value); }
+#endif
+
+#if defined(MOTORWAY_ISA_avx2)
+inline void store_groups_streaming(float *to, const floats &value, int step)
+{
+    _mm_stream_ps(to, _mm256_castps256_ps128(value));
+    _mm_stream_ps(to + step, _mm256_extractf128_ps(value, 1));
+}
+inline void store_groups_streaming(double *to, const doubles &value, int step)
+{
+    _mm_stream_pd(to, _mm256_castpd256_pd128(value));
+    _mm_stream_pd(to + step, _mm256_extractf128_pd(value, 1));
+}
+#else
+template <class T> inline void store_groups_streaming(T *to, const vector<T> &value, int) { store_streaming(to, value); }
+#endif
+
+#if defined(MOTORWAY_ISA_sse2) || defined(MOTORWAY_ISA_avx2) || defined(MOTORWAY_ISA_avx512)
+inline void fence() { _mm_sfence(); }
+#else
+inline void fence() {}
+#endif
+
+// ------------------------------------------------------------------------------------------------ conversions
+//
+// A register of floats is two of doubles, `half` 0 and 1; a scalar is one.
+
+#if defined(MOTORWAY_ISA_scalar)
+inline double to_doubles(float value, int) { return value; }
+#elif defined(MOTORWAY_ISA_avx512)
+inline doubles to_doubles(const floats &value, int half)
+{
+    return _mm512_cvtps_pd(half ? _mm512_extractf32x8_ps(value, 1) : _mm512_castps512_ps256(value));
+}
+inline floats to_floats(const doubles &low, const doubles &high)
+{
+    return _mm512_insertf32x8(_mm512_castps256_ps512(_mm512_cvtpd_ps(low)), _mm512_cvtpd_ps(high), 1);
+}
+#elif defined(MOTORWAY_ISA_avx2)
+inline doubles to_doubles(const floats &value, int half)
+{
+    return _mm256_cvtps_pd(half ? _mm256_extractf128_ps(value, 1) : _mm256_castps256_ps128(value));
+}
+inline floats to_floats(const doubles &low, const doubles &high)
+{
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps(low)), _mm256_cvtpd_ps(high), 1);
+}
+#elif defined(MOTORWAY_ISA_sse2)
+inline vector<double> to_doubles(const vector<float> &value, int half)
+{
+    return _mm_cvtps_pd(half ? _mm_movehl_ps(value, value) : static_cast<__m128>(value));
+}
+inline vector<float> to_floats(const vector<double> &low, const vector<double> &high)
+{
+    return _mm_movelh_ps(_mm_cvtpd_ps(low), _mm_cvtpd_ps(high));
+}
+#elif defined(MOTORWAY_ISA_neon64)
+inline doubles to_doubles(const floats &value, int half)
+{
+    return half ? vcvt_high_f64_f32(value) : vcvt_f64_f32(vget_low_f32(value));
+}
+inline floats to_floats(const doubles &low, const doubles &high) { return vcvt_high_f32_f64(vcvt_f32_f64(low), high); }
+#endif
+
+// What a kernel computes in, T, from what its elements are made of, and back. The same, or double and float.
+template <class T, class V> inline vector<T> widen(const V &value, int half)
+{
+    if constexpr (std::is_same_v<V, vector<T>>)
+        return value;
+    else
+        return to_doubles(value, half);
+}
+template <class E, class V> inline vector<E> narrow(const V &value) { return static_cast<vector<E>>(value); }
+#if !defined(MOTORWAY_ISA_scalar)
+template <class E, class V> inline vector<E> narrow(const V &low, const V &high) { return to_floats(low, high); }
 #endif
 
 } // namespace

@@ -8,16 +8,17 @@ namespace MOTORWAY_ISA_NAME {
 namespace {
 
 #include "../../generated/kernels/apply_direction.inl"
+#include "../../generated/kernels/apply_line.inl"
+#include "../../generated/kernels/apply_motor.inl"
 #include "../../generated/kernels/apply_point.inl"
+#include "../../generated/kernels/apply_point_mixed.inl"
+#include "../../generated/kernels/apply_tangent.inl"
+#include "../../generated/kernels/apply_vector.inl"
+#include "../../generated/kernels/apply_vertex.inl"
 #include "../../generated/kernels/blend_motor.inl"
 #include "../../generated/kernels/compose_motor.inl"
 #include "../../generated/kernels/normalize_motor.inl"
 #include "../../generated/kernels/reverse_motor.inl"
-
-// Which loop drives a kernel.
-template <class K, class T> constexpr kernel<T> loop_of = run<K, T>;
-template <class T> constexpr kernel<T> loop_of<blend_motor_one, T> = run_blend_shared<blend_motor_one, T>;
-template <class T> constexpr kernel<T> loop_of<blend_motor_each, T> = run_blend_each<blend_motor_each, T>;
 
 } // namespace
 } // namespace MOTORWAY_ISA_NAME
@@ -27,21 +28,32 @@ template <class T> constexpr kernel<T> loop_of<blend_motor_each, T> = run_blend_
 #define MOTORWAY_JOIN(a, b) a##b
 #define MOTORWAY_TABLE(name) MOTORWAY_JOIN(kernels_, name)
 
+// The loop that drives a kernel: that of its pairing.
+#define MOTORWAY_LOOP_OF(kernel, pairing, T, E)                                                                       \
+    MOTORWAY_ISA_NAME::run_##pairing<MOTORWAY_ISA_NAME::kernel::arithmetic, T, E>,
+
 extern const kernel_table MOTORWAY_TABLE(MOTORWAY_ISA_NAME);
 const kernel_table MOTORWAY_TABLE(MOTORWAY_ISA_NAME) = {
     MOTORWAY_STRING_OF(MOTORWAY_ISA_NAME),
+    MOTORWAY_ISA_NAME::fence,
     {
 #define MOTORWAY_KERNEL(verb, operand, pairing, ...)                                                                  \
-    MOTORWAY_ISA_NAME::loop_of<MOTORWAY_ISA_NAME::verb##_##operand##_##pairing, float>,
+    MOTORWAY_LOOP_OF(verb##_##operand##_##pairing, pairing, float, float)
 #define MOTORWAY_KERNEL_UNIT(verb, operand, pairing, ...)                                                             \
-    MOTORWAY_ISA_NAME::loop_of<MOTORWAY_ISA_NAME::verb##_##operand##_##pairing##_unit, float>,
+    MOTORWAY_LOOP_OF(verb##_##operand##_##pairing##_unit, pairing, float, float)
 #include "../../generated/kernel_list.inc"
     },
     {
 #define MOTORWAY_KERNEL(verb, operand, pairing, ...)                                                                  \
-    MOTORWAY_ISA_NAME::loop_of<MOTORWAY_ISA_NAME::verb##_##operand##_##pairing, double>,
+    MOTORWAY_LOOP_OF(verb##_##operand##_##pairing, pairing, double, double)
 #define MOTORWAY_KERNEL_UNIT(verb, operand, pairing, ...)                                                             \
-    MOTORWAY_ISA_NAME::loop_of<MOTORWAY_ISA_NAME::verb##_##operand##_##pairing##_unit, double>,
+    MOTORWAY_LOOP_OF(verb##_##operand##_##pairing##_unit, pairing, double, double)
+#include "../../generated/kernel_list.inc"
+    },
+    {
+#define MOTORWAY_KERNEL(verb, operand, pairing, ...)
+#define MOTORWAY_KERNEL_MIXED(verb, operand, pairing, ...)                                                            \
+    MOTORWAY_LOOP_OF(verb##_##operand##_##pairing##_mixed, pairing, double, float)
 #include "../../generated/kernel_list.inc"
     },
 };

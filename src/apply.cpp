@@ -1,0 +1,390 @@
+// mw_apply_...: validate, look up, call, return a status.
+#include "dispatch.h"
+#include "elements.h"
+#include "grid.h"
+#include "kernel_call.h"
+#include "motion.h"
+#include "motorway.h"
+
+#include <algorithm>
+
+namespace motorway {
+namespace {
+
+template <class T> const T *numbers_of(const mw_motor_f32 *motors) { return reinterpret_cast<const T *>(motors); }
+template <class T> const T *numbers_of(const mw_motor_f64 *motors) { return reinterpret_cast<const T *>(motors); }
+static_assert(sizeof(mw_motor_f32) == 8 * sizeof(float) && sizeof(mw_motor_f64) == 8 * sizeof(double));
+static_assert(sizeof(mw_shift) == 6 * sizeof(double));
+
+constexpr unsigned streaming_flags = MW_STREAMING_STORES | MW_NO_STREAMING_STORES;
+
+MOTORWAY_INLINE mw_status check_call(unsigned flags)
+{
+    if (!kernels())
+        return MW_ERROR_ISA;
+    return (flags & ~(MW_UNIT_MOTORS | streaming_flags)) || (flags & streaming_flags) == streaming_flags
+               ? MW_ERROR_FLAGS
+               : MW_OK;
+}
+
+template <class E, int N, int Parts, class Item>
+mw_status check_overlap(const elements<E, N, Parts> &out, const Item *array, std::size_t items, std::size_t count)
+{
+    return check_each_part(out, [&](const view<E, N> &part) { return check_overlap(part, array, items, count); });
+}
+
+// What all elements share beside a motor: nothing, or in mixed calls a shift. It lies behind the motor where a kernel
+// takes both.
+struct no_shift {
+    template <class T> const T *of_all() const { return nullptr; }
+    template <class T> const T *with(const T *motor, T *) const { return motor; }
+};
+struct some_shift {
+    double number[6] = {};
+
+    explicit some_shift(const mw_shift *shift)
+    {
+        for (int c = 0; c < 3 && shift; ++c)
+            number[c] = shift->before[c], number[3 + c] = shift->after[c];
+    }
+    template <class T> const T *of_all() const { return number; }
+    const double *with(const double *motor, double *room) const
+    {
+        std::copy_n(motor, 8, room);
+        std::copy_n(number, 6, room + 8);
+        return room;
+    }
+};
+constexpr int fixed_size = 14;
+
+template <class T, class E> void run(kernel<T, E> function, const call<T, E> &arguments)
+{
+    function(arguments);
+    if (arguments.streaming)
+        kernels()->fence();
+}
+
+// ----------------------------------------------------------------------------------------------------- pairings
+
+template <class T, class E, int N, int Parts, class Shift>
+mw_status apply_one(kernel<T, E> function, const elements<E, N, Parts> &out, const T *motor, const Shift &shift,
+                    const elements<const E, N, Parts> &in, std::size_t count, unsigned flags)
+{
+    const byte_range usual = usual_output(out, in, count);
+    if (!motor || usual.end == 0 || usual.meets(range_of(motor, 8))) {
+        const mw_status status = first_error(check_array(motor, 8), [&] { return check_elements(out, in, count); },
+                                             [&] { return check_overlap(out, motor, 8, count); });
+        if (status != MW_OK)
+            return status;
+    }
+    if (is_degenerate(motor))
+        return MW_ERROR_DEGENERATE_MOTOR;
+    T room[fixed_size];
+    const bool streaming = is_streaming(out, in, 2 * count * N * Parts * sizeof(E), flags);
+    run(function, kernel_call<T, E, N, Parts>(out, in, count, streaming, shift.with(motor, room)).arguments);
+    return MW_OK;
+}
+
+template <class T, class E, int N, int Parts, class Shift>
+mw_status apply_each(kernel<T, E> function, const elements<E, N, Parts> &out, const view<const T, 8> &motors,
+                     const Shift &shift, const elements<const E, N, Parts> &in, std::size_t count, unsigned flags)
+{
+    const byte_range usual = usual_output(out, in, count);
+    if (usual.end == 0 || !is_usual(out.part[0], usual, motors, count)) {
+        const mw_status status = first_error(
+            check_elements(out, in, count), [&] { return check_view(motors, count); }, [&] {
+                return check_each_part(out, [&](const view<E, N> &to) { return check_overlap(to, motors, count); });
+            });
+        if (status != MW_OK)
+            return status;
+    }
+    const bool streaming = is_streaming(out, in, count * (8 * sizeof(T) + 2 * N * Parts * sizeof(E)), flags);
+    kernel_call<T, E, N, Parts> made(out, in, count, streaming, shift.template of_all<T>());
+    made.arguments.motors = motors.as_stream();
+    run(function, made.arguments);
+    return MW_OK;
+}
+
+mw_status check_indices(const mw_indices &indices, std::size_t count)
+{
+    if (indices.type != MW_INDEX_U8 && indices.type != MW_INDEX_U16 && indices.type != MW_INDEX_U32)
+        return MW_ERROR_INDEX_TYPE;
+    if (!indices.first)
+        return MW_ERROR_NULL;
+    if (indices.stride < static_cast<std::size_t>(indices.type))
+        return MW_ERROR_STRIDE;
+    std::size_t extent, end;
+    if (__builtin_mul_overflow(count, indices.stride, &extent) || extent > PTRDIFF_MAX ||
+        __builtin_add_overflow(reinterpret_cast<std::uintptr_t>(indices.first), extent, &end))
+        return MW_ERROR_SIZE;
+    return MW_OK;
+}
+
+template <class Index> mw_status find_bad_index(const mw_indices &indices, std::size_t count, std::size_t palette_count,
+                                                std::size_t *first_bad)
+{
+    const char *next = static_cast<const char *>(indices.first);
+    for (std::size_t i = 0; i < count; ++i, next += indices.stride) {
+        Index index;
+        __builtin_memcpy(&index, next, sizeof index);
+        if (index >= palette_count) {
+            if (first_bad)
+                *first_bad = i;
+            return MW_ERROR_INDEX;
+        }
+    }
+    return MW_OK;
+}
+
+mw_status check_index_values(const mw_indices &indices, std::size_t count, std::size_t palette_count,
+                             std::size_t *first_bad)
+{
+    switch (indices.type) {
+    case MW_INDEX_U8: return find_bad_index<std::uint8_t>(indices, count, palette_count, first_bad);
+    case MW_INDEX_U16: return find_bad_index<std::uint16_t>(indices, count, palette_count, first_bad);
+    default: return find_bad_index<std::uint32_t>(indices, count, palette_count, first_bad);
+    }
+}
+
+// Whether values are looked at, and where the first bad one goes.
+struct index_check {
+    bool wanted = false;
+    std::size_t *first_bad = nullptr;
+};
+
+template <class T, class E, int N, int Parts, class Shift>
+mw_status apply_indexed(kernel<T, E> function, const elements<E, N, Parts> &out, const T *palette,
+                        std::size_t palette_count, const mw_indices &indices, const Shift &shift,
+                        const elements<const E, N, Parts> &in, std::size_t count, unsigned flags,
+                        const index_check &check)
+{
+    if (palette_count > PTRDIFF_MAX / (8 * sizeof(T)))
+        return MW_ERROR_SIZE;
+    const mw_status status = first_error(
+        usual_output(out, in, count).end ? MW_OK : check_elements(out, in, count),
+        [&] { return check_indices(indices, count); },
+        [&] { return palette_count ? check_array(palette, 8 * palette_count) : MW_OK; },
+        [&] { return check_overlap(out, palette, 8 * palette_count, count); },
+        [&] {
+            return check_each_part(out, [&](const view<E, N> &part) { return check_overlap(part, indices, count); });
+        },
+        [&] { return check.wanted ? check_index_values(indices, count, palette_count, check.first_bad) : MW_OK; });
+    if (status != MW_OK)
+        return status;
+    const auto index_size = static_cast<unsigned>(indices.type);
+    const bool streaming = is_streaming(out, in, count * (index_size + 2 * N * Parts * sizeof(E)), flags);
+    kernel_call<T, E, N, Parts> made(out, in, count, streaming, shift.template of_all<T>());
+    made.arguments.palette = palette;
+    made.arguments.indices = {indices.first, indices.stride, index_size};
+    run(function, made.arguments);
+    return MW_OK;
+}
+
+// --------------------------------------------------------------------------------------------------------- grids
+
+// Elements that are moved by every motor before the next are begun: few enough to stay in the first cache, and enough
+// for the matrix of a motor not to show.
+constexpr std::size_t row_chunk = 2048;
+
+template <class T, class E, int N, int Parts, class Shift> struct grid_batch {
+    elements<E, N, Parts> out;
+    view<const T, 8> motors;
+    Shift shift;
+    elements<const E, N, Parts> in;
+    grid_shape shape;
+};
+
+template <class T, class E, int N, int Parts, class Shift>
+grid_batch<T, E, N, Parts, Shift> grid_of(const elements<E, N, Parts> &out, const view<const T, 8> &motors,
+                                          const Shift &shift, const elements<const E, N, Parts> &in,
+                                          const grid_shape &shape)
+{
+    return {out, motors, shift, in, shape};
+}
+
+// Row by row: `one`, motor after motor.
+template <class T, class E, int N, int Parts, class Shift>
+void run_rows(kernel<T, E> one, const grid_batch<T, E, N, Parts, Shift> &grid, bool streaming)
+{
+    for (std::size_t begin = 0; begin < grid.shape.count; begin += row_chunk)
+        for (std::size_t row = 0; row < grid.shape.rows; ++row) {
+            T motor[8], room[fixed_size];
+            const view<const T, 8> here = grid.motors.from(row);
+            for (int c = 0; c < 8; ++c)
+                __builtin_memcpy(&motor[c], here.component[c], sizeof(T));
+            const elements<E, N, Parts> out = grid.out.moved_by(row * grid.shape.row_stride).from(begin);
+            const std::size_t some = std::min(row_chunk, grid.shape.count - begin);
+            one(kernel_call<T, E, N, Parts>(out, grid.in.from(begin), some, streaming, grid.shift.with(motor, room))
+                    .arguments);
+        }
+}
+
+// Element by element: lanes are motors.
+template <class T, class E, int N, int Parts, class Shift>
+void run_columns(kernel<T, E> grid_kernel, const grid_batch<T, E, N, Parts, Shift> &grid)
+{
+    elements<E, N, Parts> images = grid.out;
+    for (view<E, N> &part : images.part)
+        part.stride = grid.shape.row_stride;
+    kernel_call<T, E, N, Parts> made(images, grid.in, grid.shape.count, false, grid.shift.template of_all<T>());
+    for (int k = 0; k < Parts; ++k)
+        made.to.part[k].stride = grid.out.part[k].stride;
+    made.arguments.motors = grid.motors.as_stream();
+    made.arguments.rows = grid.shape.rows;
+    made.arguments.row_stride = grid.shape.row_stride;
+    grid_kernel(made.arguments);
+}
+
+template <class T, class E, int N, int Parts, class Shift>
+mw_status apply_grid(kernel<T, E> one, kernel<T, E> grid_kernel, const grid_batch<T, E, N, Parts, Shift> &grid,
+                     unsigned flags)
+{
+    const grid_shape &shape = grid.shape;
+    const auto check_inputs_apart = [&] {
+        return check_each_part(grid.out, [&](const view<E, N> &out) {
+            bool apart = is_apart(out, shape, grid.motors, shape.rows);
+            for (const view<const E, N> &in : grid.in.part)
+                apart &= is_apart(out, shape, in, shape.count);
+            return apart ? MW_OK : MW_ERROR_OVERLAP;
+        });
+    };
+    const mw_status status = first_error(
+        check_grid(grid.out, shape), [&] { return check_view(grid.motors, shape.rows); },
+        [&] { return check_parts(grid.in, shape.count); }, check_inputs_apart);
+    if (status != MW_OK)
+        return status;
+    if (grid.shape.is_point_major(grid.out.part[0]))
+        run_columns(grid_kernel, grid);
+    else {
+        const std::size_t bytes = shape.rows * shape.count * N * Parts * sizeof(E);
+        const bool streaming = is_streaming(grid.out, grid.in, bytes, flags);
+        run_rows(one, grid, streaming);
+        if (streaming)
+            kernels()->fence();
+    }
+    return MW_OK;
+}
+
+using f32 = float;
+using f64 = double;
+
+} // namespace
+} // namespace motorway
+
+// ---------------------------------------------------------------------------------------------------- C functions
+
+using namespace motorway;
+
+// Each begins with what is known without looking at the data.
+#define MOTORWAY_BEGIN_CALL(nothing_to_do)                                                                            \
+    const mw_status called = check_call(flags);                                                                       \
+    if (called != MW_OK || (nothing_to_do))                                                                           \
+        return called;
+
+#define MOTORWAY_KERNEL_OF(P, name) kernels()->P[static_cast<int>(kernel_id::name)]
+#define MOTORWAY_KERNEL_OF_EACH(P, name)                                                                              \
+    (flags & MW_UNIT_MOTORS ? MOTORWAY_KERNEL_OF(P, name##_unit) : MOTORWAY_KERNEL_OF(P, name))
+
+#define MOTORWAY_APPLY(operand, views, P)                                                                             \
+    mw_status mw_apply_##operand##_one_##P(mw_##views##_##P out, const mw_motor_##P *motor,                           \
+                                           mw_const_##views##_##P in, size_t count, unsigned flags)                   \
+    {                                                                                                                 \
+        MOTORWAY_BEGIN_CALL(count == 0)                                                                               \
+        return apply_one(MOTORWAY_KERNEL_OF(P, apply_##operand##_one), elements_of(out), numbers_of<P>(motor),        \
+                         no_shift(), elements_of(in), count, flags);                                               \
+    }                                                                                                                 \
+    mw_status mw_apply_##operand##_each_##P(mw_##views##_##P out, mw_const_motors_##P motors,                         \
+                                            mw_const_##views##_##P in, size_t count, unsigned flags)                  \
+    {                                                                                                                 \
+        MOTORWAY_BEGIN_CALL(count == 0)                                                                               \
+        return apply_each(MOTORWAY_KERNEL_OF_EACH(P, apply_##operand##_each), elements_of(out),                       \
+                          view_of_motors<const P>(motors), no_shift(), elements_of(in), count, flags);             \
+    }                                                                                                                 \
+    mw_status mw_apply_##operand##_grid_##P(mw_##views##_##P out, size_t row_stride, mw_const_motors_##P motors,      \
+                                            size_t motor_count, mw_const_##views##_##P in, size_t count,              \
+                                            unsigned flags)                                                           \
+    {                                                                                                                 \
+        MOTORWAY_BEGIN_CALL(count == 0 || motor_count == 0)                                                           \
+        return apply_grid(MOTORWAY_KERNEL_OF(P, apply_##operand##_one), MOTORWAY_KERNEL_OF(P, apply_##operand##_grid),\
+                          grid_of(elements_of(out), view_of_motors<const P>(motors), no_shift(), elements_of(in),  \
+                                  {motor_count, row_stride, count}),                                                  \
+                          flags);                                                                                     \
+    }                                                                                                                 \
+    mw_status mw_apply_##operand##_indexed_##P(mw_##views##_##P out, const mw_motor_##P *palette,                     \
+                                               size_t palette_count, mw_indices indices, mw_const_##views##_##P in,   \
+                                               size_t count, unsigned flags)                                          \
+    {                                                                                                                 \
+        MOTORWAY_BEGIN_CALL(count == 0)                                                                               \
+        return apply_indexed(MOTORWAY_KERNEL_OF_EACH(P, apply_##operand##_indexed), elements_of(out),                 \
+                             numbers_of<P>(palette), palette_count, indices, no_shift(), elements_of(in), count,   \
+                             flags, {});                                                                              \
+    }                                                                                                                 \
+    mw_status mw_apply_##operand##_indexed_checked_##P(                                                               \
+        mw_##views##_##P out, const mw_motor_##P *palette, size_t palette_count, mw_indices indices,                  \
+        mw_const_##views##_##P in, size_t count, unsigned flags, size_t *first_bad)                                   \
+    {                                                                                                                 \
+        MOTORWAY_BEGIN_CALL(count == 0)                                                                               \
+        return apply_indexed(MOTORWAY_KERNEL_OF_EACH(P, apply_##operand##_indexed), elements_of(out),                 \
+                             numbers_of<P>(palette), palette_count, indices, no_shift(), elements_of(in), count,   \
+                             flags, {true, first_bad});                                                               \
+    }
+
+MW_OPERANDS(MOTORWAY_APPLY, f32)
+MW_OPERANDS(MOTORWAY_APPLY, f64)
+
+// ------------------------------------------------------------------------------------------------- mixed precision
+
+#define MOTORWAY_MIXED_KERNEL(name) kernels()->mixed[static_cast<int>(mixed_kernel_id::name)]
+
+mw_status mw_apply_point_one_mixed(mw_xyz_f32 out, const mw_motor_f64 *motor, const mw_shift *shift,
+                                   mw_const_xyz_f32 points, size_t count, unsigned flags)
+{
+    MOTORWAY_BEGIN_CALL(count == 0)
+    return apply_one(MOTORWAY_MIXED_KERNEL(apply_point_one), elements_of(out), numbers_of<double>(motor),
+                     some_shift(shift), elements_of(points), count, flags);
+}
+
+mw_status mw_apply_point_each_mixed(mw_xyz_f32 out, mw_const_motors_f64 motors, const mw_shift *shift,
+                                    mw_const_xyz_f32 points, size_t count, unsigned flags)
+{
+    MOTORWAY_BEGIN_CALL(count == 0)
+    return apply_each(MOTORWAY_MIXED_KERNEL(apply_point_each), elements_of(out), view_of_motors<const double>(motors),
+                      some_shift(shift), elements_of(points), count, flags);
+}
+
+mw_status mw_apply_point_grid_mixed(mw_xyz_f32 out, size_t row_stride, mw_const_motors_f64 motors, size_t motor_count,
+                                    const mw_shift *shift, mw_const_xyz_f32 points, size_t count, unsigned flags)
+{
+    MOTORWAY_BEGIN_CALL(count == 0 || motor_count == 0)
+    return apply_grid(MOTORWAY_MIXED_KERNEL(apply_point_one), MOTORWAY_MIXED_KERNEL(apply_point_grid),
+                      grid_of(elements_of(out), view_of_motors<const double>(motors), some_shift(shift),
+                              elements_of(points), {motor_count, row_stride, count}),
+                      flags);
+}
+
+mw_status mw_apply_point_indexed_mixed(mw_xyz_f32 out, const mw_motor_f64 *palette, size_t palette_count,
+                                       mw_indices indices, const mw_shift *shift, mw_const_xyz_f32 points,
+                                       size_t count, unsigned flags)
+{
+    MOTORWAY_BEGIN_CALL(count == 0)
+    return apply_indexed(MOTORWAY_MIXED_KERNEL(apply_point_indexed), elements_of(out), numbers_of<double>(palette),
+                         palette_count, indices, some_shift(shift), elements_of(points), count, flags, {});
+}
+
+mw_status mw_apply_point_indexed_checked_mixed(mw_xyz_f32 out, const mw_motor_f64 *palette, size_t palette_count,
+                                               mw_indices indices, const mw_shift *shift, mw_const_xyz_f32 points,
+                                               size_t count, unsigned flags, size_t *first_bad)
+{
+    MOTORWAY_BEGIN_CALL(count == 0)
+    return apply_indexed(MOTORWAY_MIXED_KERNEL(apply_point_indexed), elements_of(out), numbers_of<double>(palette),
+                         palette_count, indices, some_shift(shift), elements_of(points), count, flags,
+                         {true, first_bad});
+}
+
+mw_status mw_check_indices(mw_indices indices, size_t count, size_t palette_count, size_t *first_bad)
+{
+    if (count == 0)
+        return MW_OK;
+    return first_error(check_indices(indices, count),
+                       [&] { return check_index_values(indices, count, palette_count, first_bad); });
+}
