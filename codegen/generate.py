@@ -199,9 +199,8 @@ def list_row(variant: Variant) -> Dict[str, object]:
     inputs = sum(i.element.size for i in variant.streams)
     if kernel.verb == "blend":  # the sum stays in registers, and shared controls are not read an element
         inputs = 1 if variant.pairing.name == "one" else 1 + kernel.output_size
-    columns = [
-        kernel.verb, kernel.operand, variant.pairing.name, inputs, kernel.output_size, count.operations, count.divisions
-    ]
+    columns = [kernel.verb, kernel.operand, variant.pairing.name]
+    columns += [inputs, kernel.output_size, count.operations, count.divisions]
     kind = "_UNIT" if variant.unit else "_MIXED" if kernel.mixed else ""
     return {"macro": "MOTORWAY_KERNEL" + kind, "columns": columns}
 

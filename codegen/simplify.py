@@ -12,6 +12,9 @@ from expression import Expansion, Node, as_term, divide, expand, from_polynomial
 from plan import Plan, make_plan, reachable
 from polynomial import ONE, Polynomial, Quotient
 
+# What is known of symbols: of a polynomial that it is their square, of a quotient that it is the symbol itself.
+Relations = Mapping[str, Union[Polynomial, Quotient]]
+
 
 @dataclass(frozen=True)
 class Form:
@@ -30,7 +33,7 @@ class Choice:
     considered: Tuple[Tuple[str, Plan], ...]
 
 
-def choose(forms: Sequence[Form], element_symbols: FrozenSet[str], relations: Mapping[str, Union[Polynomial, Quotient]]) -> Choice:
+def choose(forms: Sequence[Form], element_symbols: FrozenSet[str], relations: Relations) -> Choice:
     """The cheapest of several forms, after proving that they are all equal (modulo the relations)."""
     prove_equal(forms, relations)
     plans = []
@@ -41,7 +44,7 @@ def choose(forms: Sequence[Form], element_symbols: FrozenSet[str], relations: Ma
     return Choice(*plans[best], considered=tuple((form.name, plan) for form, plan in plans))
 
 
-def prove_equal(forms: Sequence[Form], relations: Mapping[str, Union[Polynomial, Quotient]]) -> None:
+def prove_equal(forms: Sequence[Form], relations: Relations) -> None:
     """Raise unless every form is exactly equal to the first."""
     definition = [expand(output) for output in forms[0].outputs]
     for form in forms[1:]:

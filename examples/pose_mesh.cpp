@@ -28,8 +28,8 @@ int main()
     check(compose_motor_each(aos(&both), aos(&turn), aos(&lift), 1));
 
     const size_t stride = sizeof(vertex), count = mesh.size();
-    check(apply_point_one(aos(posed[0].position, stride), both, aos(mesh[0].position, stride), count));
-    check(apply_direction_one(aos(posed[0].normal, stride), both, aos(mesh[0].normal, stride), count));
+    check(apply_vertex_one(vertices_aos(posed[0].position, posed[0].normal, stride), both,
+                           vertices_aos(mesh[0].position, mesh[0].normal, stride), count));
 
     for (const vertex &v : posed)
         std::printf("position %5.2f %5.2f %5.2f   normal %5.2f %5.2f %5.2f\n", v.position[0], v.position[1],

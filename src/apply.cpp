@@ -120,8 +120,8 @@ mw_status check_indices(const mw_indices &indices, std::size_t count)
     return MW_OK;
 }
 
-template <class Index> mw_status find_bad_index(const mw_indices &indices, std::size_t count, std::size_t palette_count,
-                                                std::size_t *first_bad)
+template <class Index>
+mw_status find_bad_index(const mw_indices &indices, std::size_t count, std::size_t palette_count, std::size_t *first_bad)
 {
     const char *next = static_cast<const char *>(indices.first);
     for (std::size_t i = 0; i < count; ++i, next += indices.stride) {

@@ -52,7 +52,10 @@ template <class T, int N, int Parts> struct elements {
         return {{{{v.dx, v.dy, v.dz, v.mx, v.my, v.mz}, v.stride}}};                                                  \
     }                                                                                                                 \
     inline elements<T, 8, 1> elements_of(const mw_motors_##P &v) { return {{view_of_motors<T>(v)}}; }                 \
-    inline elements<const T, 8, 1> elements_of(const mw_const_motors_##P &v) { return {{view_of_motors<const T>(v)}}; } \
+    inline elements<const T, 8, 1> elements_of(const mw_const_motors_##P &v)                                          \
+    {                                                                                                                 \
+        return {{view_of_motors<const T>(v)}};                                                                        \
+    }                                                                                                                 \
     inline elements<T, 3, 2> elements_of(const mw_vertices_##P &v)                                                    \
     {                                                                                                                 \
         return {{view_of_xyz<T>(v.position), view_of_xyz<T>(v.normal)}};                                              \
@@ -99,7 +102,8 @@ template <class T, int N, int Parts> mw_status check_output(const elements<T, N,
 }
 
 // Whatever every part of the output must not run into: check(part) of each.
-template <class T, int N, int Parts, class Check> mw_status check_each_part(const elements<T, N, Parts> &e, const Check &check)
+template <class T, int N, int Parts, class Check>
+mw_status check_each_part(const elements<T, N, Parts> &e, const Check &check)
 {
     mw_status status = MW_OK;
     for (int k = 0; k < Parts && status == MW_OK; ++k)

@@ -100,6 +100,18 @@ MOTORWAY_VIEWS(f64, double)
 #undef MOTORWAY_SOA_VIEW
 #undef MOTORWAY_VIEW
 
+// Positions and normals, each three adjacent scalars, in one buffer of vertices.
+#define MOTORWAY_VERTICES(P, prefix, T)                                                                               \
+    inline mw_##prefix##vertices_##P vertices_aos(T *position, T *normal, size_t stride)                              \
+    {                                                                                                                 \
+        return {aos(position, stride), aos(normal, stride)};                                                          \
+    }
+MOTORWAY_VERTICES(f32, , float)
+MOTORWAY_VERTICES(f32, const_, const float)
+MOTORWAY_VERTICES(f64, , double)
+MOTORWAY_VERTICES(f64, const_, const double)
+#undef MOTORWAY_VERTICES
+
 inline mw_indices indices(const uint8_t *first, size_t stride = 1) { return mw_indices_u8(first, stride); }
 inline mw_indices indices(const uint16_t *first, size_t stride = 2) { return mw_indices_u16(first, stride); }
 inline mw_indices indices(const uint32_t *first, size_t stride = 4) { return mw_indices_u32(first, stride); }

@@ -18,8 +18,12 @@ import emit
 import generate
 from expression import constant, expand, named, node, root, symbol
 from golden import golden_inputs, golden_rows
+from algebra import OMEGA, VECTORS, Multivector, e
+from elements import LINE, MOTOR, VECTOR
+from formulas import alpha, beta, normalized_but_for_alpha
 from kernels import KERNELS, UNIT
 from plan import Operation, make_plan
+from polynomial import Quotient, variables
 from simplify import Form, choose, common_pairs, linear_coefficients, prove_equal, share_common_sums
 
 A, B, C, D, X = map(symbol, "abcdx")
@@ -76,6 +80,35 @@ class Simplification(unittest.TestCase):
         prove_equal(forms, UNIT)
         with self.assertRaises(ArithmeticError):
             prove_equal(forms, {})
+
+    def test_a_relation_may_be_a_quotient(self):
+        s, w, b = map(symbol, ("s", "w", "b"))
+        relation = {"w": Quotient(variables("b")[0], variables("s")[0])}
+        prove_equal([Form("product", (s * w,)), Form("known", (b,))], relation)
+        prove_equal([Form("square", (w * w * s,)), Form("known", (b * w,))], relation)
+        with self.assertRaises(ArithmeticError):
+            prove_equal([Form("product", (s * w,)), Form("wrong", (2 * b,))], relation)
+
+    def test_normalised_motors_satisfy_what_is_said_of_them(self):
+        S = MOTOR.multivector(symbol)
+        product = ~S * S
+        prove_equal([Form("alpha", (node(product[""]),)), Form("one", (constant(1),))], UNIT)
+        prove_equal([Form("beta", (node(product[OMEGA]),)), Form("nothing", (constant(0),))], UNIT)
+
+    def test_what_a_motor_makes_of_a_vector_is_a_vector_and_of_a_line_a_line(self):
+        S, v, line = (element.multivector(symbol) for element in (MOTOR, VECTOR, LINE))
+        N = normalized_but_for_alpha(S, lambda name, value: value)
+        for name, value, blades in (
+            ("vector", ~N * v * N, VECTORS),
+            ("line", ~S * line * S * Multivector({"": alpha(S), OMEGA: -beta(S)}), LINE.blades),
+        ):
+            for blade in set(value.parts) - set(blades):
+                with self.subTest(of=name, blade=blade):
+                    prove_equal([Form("part", (node(value[blade]),)), Form("nothing", (constant(0),))], {})
+
+    def test_components_may_be_products_in_any_order(self):
+        self.assertEqual(LINE.multivector({n: n == "dy" for n, _ in LINE.components}.__getitem__), e("31"))
+        self.assertEqual(LINE.coefficients(e("13")), [0, -1, 0, 0, 0, 0])
 
     def test_the_cheapest_form_is_chosen(self):
         forms = [Form("expanded", (A * C + A * D + B * C + B * D,)), Form("factored", ((A + B) * (C + D),))]

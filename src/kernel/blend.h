@@ -12,7 +12,8 @@ template <class K, class = void> constexpr bool accumulates = false;
 template <class K> constexpr bool accumulates<K, std::enable_if_t<K::accumulates>> = true;
 
 // Σk weight k · control k for one block of elements. `load_term(k, v)` fills v with a weight and a control.
-template <class K, class T, class Load> inline void blend_block(std::size_t terms, const Load &load_term, vector<T> *sum)
+template <class K, class T, class Load>
+inline void blend_block(std::size_t terms, const Load &load_term, vector<T> *sum)
 {
     using V = vector<T>;
     constexpr int N = K::outputs::sum;

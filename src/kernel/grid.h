@@ -1,5 +1,5 @@
-// The grid of every motor with every element, where the images of an element lie side by side: lanes are motors. (Where
-// those of a motor lie side by side it is `one`, motor after motor.)
+// The grid of every motor with every element, where the images of an element lie side by side: lanes are motors.
+// (Where those of a motor lie side by side it is `one`, motor after motor.)
 #pragma once
 
 #include "body.h"

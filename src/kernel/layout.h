@@ -2,8 +2,8 @@
 //
 // All have the same interface: load(i, v) and store(i, v) move the `width` elements from element i;
 // load_partial(i, n, v) and store_partial(i, n, v) the n < width elements from element i. Not a byte outside these
-// elements is touched; lanes without an element hold ones. Writers of whole registers also have store_streaming(i, v), a store
-// past the caches.
+// elements is touched; lanes without an element hold ones. Writers of whole registers also have store_streaming(i, v),
+// a store past the caches.
 #pragma once
 
 #include "call.h"

@@ -37,8 +37,8 @@ inline void run_block(const vector<T> *constant, const Motors &motors, const In 
         out.store(i, result);
 }
 
-// Elements from motors of any source and streams of one layout. `before_line` elements come before the results begin a
-// cache line.
+// Elements from motors of any source and streams of one layout. `before_line` elements come before the results begin
+// a cache line.
 template <class K, class T, class E, template <class> class Motors, template <class, int> class Stream,
           store_mode Mode = store_mode::cached>
 MOTORWAY_LOOP void run_elements(const call<T, E> &c, [[maybe_unused]] int before_line = 0)
@@ -90,8 +90,8 @@ inline void run_whole_registers(const call<T, E> &c)
     run_elements<K, T, E, Motors, Stream>(c);
 }
 
-// Motors that do not depend on the layout of the elements: the fast loops where all of these have the same layout, else
-// the general one.
+// Motors that do not depend on the layout of the elements: the fast loops where all of these have the same layout,
+// else the general one.
 template <class K, class T, class E, template <class> class Motors> inline void run_any_layout(const call<T, E> &c)
 {
     if (elements_are<K>(c, layout::soa))
@@ -109,7 +109,7 @@ template <class K, class T, class E, template <class> class Motors> inline void 
     run_elements<K, T, E, Motors, any_stream>(c);
 }
 
-// ------------------------------------------------------------------------ the entries of the kernel table, by pairing
+// ----------------------------------------------------------------------- the entries of the kernel table, by pairing
 
 template <class K, class T, class E> void run_one(const call<T, E> &c)
 {

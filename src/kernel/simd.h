@@ -360,8 +360,8 @@ template <int Size, class T> inline void store_rows(T *const *row, const vector<
 
 // ------------------------------------------------------------------------------------------- past the caches
 //
-// Stores that go to memory without a place in a cache; addresses are multiples of a group. `fence` puts them before all
-// stores that follow.
+// Stores that go to memory without a place in a cache; addresses are multiples of a group. `fence` puts them before
+// all stores that follow.
 
 constexpr std::size_t cache_line = 64;
 
@@ -394,7 +394,10 @@ inline void store_groups_streaming(double *to, const doubles &value, int step)
     _mm_stream_pd(to + step, _mm256_extractf128_pd(value, 1));
 }
 #else
-template <class T> inline void store_groups_streaming(T *to, const vector<T> &value, int) { store_streaming(to, value); }
+template <class T> inline void store_groups_streaming(T *to, const vector<T> &value, int)
+{
+    store_streaming(to, value);
+}
 #endif
 
 #if defined(MOTORWAY_ISA_sse2) || defined(MOTORWAY_ISA_avx2) || defined(MOTORWAY_ISA_avx512)

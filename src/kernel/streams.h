@@ -37,7 +37,10 @@ template <class T, template <class, int> class Stream, int N, int... More> class
 public:
     explicit bundle(const stream<T> *streams) : first(streams[0]), rest(streams + 1) {}
     void load(std::size_t i, V *v) const { first.load(i, v), rest.load(i, v + N); }
-    void load_partial(std::size_t i, int n, V *v) const { first.load_partial(i, n, v), rest.load_partial(i, n, v + N); }
+    void load_partial(std::size_t i, int n, V *v) const
+    {
+        first.load_partial(i, n, v), rest.load_partial(i, n, v + N);
+    }
     void store(std::size_t i, const V *v) const { first.store(i, v), rest.store(i, v + N); }
     void store_streaming(std::size_t i, const V *v) const
     {
