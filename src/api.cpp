@@ -10,10 +10,6 @@
 namespace motorway {
 namespace {
 
-template <class T> const T *numbers_of(const mw_motor_f32 *motors) { return reinterpret_cast<const T *>(motors); }
-template <class T> const T *numbers_of(const mw_motor_f64 *motors) { return reinterpret_cast<const T *>(motors); }
-static_assert(sizeof(mw_motor_f32) == 8 * sizeof(float) && sizeof(mw_motor_f64) == 8 * sizeof(double));
-
 // A validated call of a kernel of one or two streams.
 template <class T, int N>
 mw_status run(kernel_id id, const view<T, N> &out, std::initializer_list<stream<const T>> in, std::size_t count)

@@ -11,9 +11,6 @@
 namespace motorway {
 namespace {
 
-template <class T> const T *numbers_of(const mw_motor_f32 *motors) { return reinterpret_cast<const T *>(motors); }
-template <class T> const T *numbers_of(const mw_motor_f64 *motors) { return reinterpret_cast<const T *>(motors); }
-static_assert(sizeof(mw_motor_f32) == 8 * sizeof(float) && sizeof(mw_motor_f64) == 8 * sizeof(double));
 static_assert(sizeof(mw_shift) == 6 * sizeof(double));
 
 constexpr unsigned streaming_flags = MW_STREAMING_STORES | MW_NO_STREAMING_STORES;

@@ -72,6 +72,11 @@ template <class T, class Motors> view<T, 8> view_of_motors(const Motors &v)
     return {{v.s, v.b12, v.b13, v.b23, v.b1i, v.b2i, v.b3i, v.w}, v.stride};
 }
 
+// Motors as the eight numbers that each is.
+template <class T> const T *numbers_of(const mw_motor_f32 *motors) { return reinterpret_cast<const T *>(motors); }
+template <class T> const T *numbers_of(const mw_motor_f64 *motors) { return reinterpret_cast<const T *>(motors); }
+static_assert(sizeof(mw_motor_f32) == 8 * sizeof(float) && sizeof(mw_motor_f64) == 8 * sizeof(double));
+
 // ------------------------------------------------------------------------------------------------ shared bytes
 
 template <class T> std::uintptr_t address(const T *pointer) { return reinterpret_cast<std::uintptr_t>(pointer); }

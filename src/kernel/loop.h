@@ -139,7 +139,7 @@ template <class K, class T, class E> void run_each(const call<T, E> &c)
     }
 }
 
-// The images of an element lie side by side: the other grid is api.cpp's.
+// The images of an element lie side by side: the other grid is apply.cpp's.
 template <class K, class T, class E> void run_grid(const call<T, E> &c)
 {
     if (all_are(layout::soa, c.out, K::outputs::number))

@@ -17,10 +17,12 @@ template <int... N> struct sizes {
 };
 
 // Several streams that are read or written together; their components follow one another in the registers.
-template <class T, template <class, int> class Stream, class Sizes> struct bundle;
+template <class T, template <class, int> class Stream, class Sizes> class bundle;
 
-template <class T, template <class, int> class Stream> struct bundle<T, Stream, sizes<>> {
+template <class T, template <class, int> class Stream> class bundle<T, Stream, sizes<>> {
     using V = vector<std::remove_const_t<T>>;
+
+public:
     explicit bundle(const stream<T> *) {}
     void load(std::size_t, V *) const {}
     void load_partial(std::size_t, int, V *) const {}
