@@ -213,7 +213,7 @@ def line_matrix(S, line, let):
     given, moved = LINE.coefficients(line), {name: 0 for name in names}
     for i, row in enumerate("123"):
         for j, column in enumerate("123"):
-            d, m = names[j], names[3 + j]
+            d = names[j]
             rotation = let(f"m{row}{column}", (1 if i == j else 0) + k * image[i].get(d, 0))
             offset = let(f"n{row}{column}", k * image[3 + i].get(d, 0) - k * r * turned[3 + i].get(d, 0) / 2)
             moved[names[i]] += rotation * given[j]
