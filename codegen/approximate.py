@@ -127,6 +127,26 @@ def error_bound(name: str, precision: str, weight: int = 0) -> Fraction:
     return prove_bound(row.function, row.end, polynomial(name, precision), weight, MANTISSA_BITS[precision] + 40)
 
 
+# ------------------------------------------------------------------------------------------------- real numbers
+
+PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899")
+
+
+def parts(value: Fraction, precision: str) -> Tuple[Fraction, Fraction]:
+    """A real number as the sum of the nearest number of the precision and of what that lacks, rounded."""
+    first = round_to(value, MANTISSA_BITS[precision])
+    return first, round_to(value - first, MANTISSA_BITS[precision])
+
+
+# Those that kernels use, by name: what they are, and their value in a precision.
+REAL_NUMBERS: Dict[str, Tuple[str, Callable[[str], Fraction]]] = {
+    "pi": ("π", lambda precision: parts(PI, precision)[0]),
+    "pi_rest": ("π - pi", lambda precision: parts(PI, precision)[1]),
+    "two_pi": ("2π", lambda precision: parts(2 * PI, precision)[0]),
+    "two_pi_rest": ("2π - two_pi", lambda precision: parts(2 * PI, precision)[1]),
+    "inverse_two_pi": ("1/(2π)", lambda precision: parts(1 / (2 * PI), precision)[0]),
+}
+
 # ------------------------------------------------------------------------------------------------------ rounding
 
 

@@ -84,5 +84,10 @@ LINE = Element(
     (("dx", "23"), ("dy", "31"), ("dz", "12"), ("mx", "1i"), ("my", "2i"), ("mz", "3i")),
     meaning="a line in Plücker coordinates: d e123 + m e∞, the generator of the rotations about it (lemma 3.11)",
 )
+BIVECTOR = Element(
+    "bivector",
+    MOTOR.components[1:7],
+    meaning="the generator of a motor: its logarithm; a twist, or a wrench",
+)
 
-ELEMENTS = (MOTOR, POINT, DIRECTION, TANGENT, VECTOR, LINE)
+ELEMENTS = (MOTOR, POINT, DIRECTION, TANGENT, VECTOR, LINE, BIVECTOR)

@@ -6,11 +6,12 @@ from collections import Counter
 from fractions import Fraction
 from typing import Dict, List, Sequence
 
-from plan import Operation, Plan
+from approximate import TABLE
+from plan import STEPS, Operation, Plan
 
 WIDTH = 118
 INFIX = {"mul": "*", "add": "+", "sub": "-"}
-FUNCTIONS = {"fma", "fnma", "fms", "negate", "sqrt"}
+FUNCTIONS = {"fma", "fnma", "fms", "negate", "sqrt", *STEPS, *TABLE}
 
 
 class Writer:
@@ -61,7 +62,7 @@ class Writer:
         if operation in self.variables:
             return self.variables[operation]
         if operation.op == "constant":
-            return f"V({number(operation.value)})"
+            return f"{operation.name}<V>()" if operation.name else f"V({number(operation.value)})"
         operands = [self.text(operand, operation.op not in FUNCTIONS) for operand in operation.operands]
         if operation.op in FUNCTIONS:
             return f"{operation.op}({', '.join(operands)})"

@@ -1,6 +1,7 @@
 """Immutable, hash-consed expressions with exact rational coefficients.
 
-There are five kinds of node: a symbol, a sum of products, a quotient, a square root, and a named value. A sum
+There are seven kinds of node: a symbol, a sum of products, a quotient, a square root, a named value, a function
+whose values are all that is known of it, and a real number that each precision rounds in its own way. A sum
 holds terms, each a rational coefficient times a product of nodes; a single product and a constant are sums of one
 term. Building the same expression twice gives the same object, so equality of nodes is identity, and a node that
 occurs in two places is computed once. A named value is computed as it stands: nothing is merged across its border.
@@ -74,8 +75,10 @@ class Node:
     __hash__ = object.__hash__
 
     def __repr__(self) -> str:
-        if self.kind == "symbol":
+        if self.kind in ("symbol", "precise"):
             return self.name
+        if self.kind == "function":
+            return f"{self.name}{self.operands}"
         if self.kind == "named":
             return f"{self.name}:={self.operands[0]}"
         if self.kind == "sum":
@@ -93,7 +96,7 @@ def constant(value: Number) -> Node:
 
 def named(name: str, value: Node) -> Node:
     """The value under a name, for the reader of the generated code. Symbols and constants have theirs already."""
-    return value if value.kind == "symbol" or is_constant(value) else Node("named", name, operands=(value,))
+    return value if value.kind in ("symbol", "precise") or is_constant(value) else Node("named", name, operands=(value,))
 
 
 def node(value) -> Node:
@@ -172,6 +175,16 @@ def root(value):
     return Fraction(numerator, denominator)
 
 
+def function(name: str, *operands) -> Node:
+    """An analytic function by its approximation, or a step that is none: rounding, a magnitude, a choice."""
+    return Node("function", name, operands=tuple(map(node, operands)))
+
+
+def precise(name: str) -> Node:
+    """A real number that is not rational, by its name in the generated code."""
+    return Node("precise", name)
+
+
 # --------------------------------------------------------------------------------------------- the canonical form
 
 
@@ -219,7 +232,7 @@ def power_product(factors: Dict[Polynomial, int]) -> Polynomial:
 
 @lru_cache(maxsize=None)
 def expand(n: Node) -> Expansion:
-    if n.kind == "symbol":
+    if n.kind in ("symbol", "precise"):
         return Expansion(Polynomial.variable(n.name), {}, {})
     if n.kind == "named":
         return expand(n.operands[0])
@@ -231,6 +244,10 @@ def expand(n: Node) -> Expansion:
             raise ValueError("the square root of a quotient: write it as a quotient of roots")
         name = f"sqrt({inside.numerator!r})"
         return Expansion(Polynomial.variable(name), {}, {**inside.rules, name: inside.numerator})
+    if n.kind == "function":  # the same function of equal operands is the same variable
+        operands = map(expand, n.operands)
+        name = f"{n.name}({', '.join(f'{o.numerator!r} / {o.denominator!r}' for o in operands)})"
+        return Expansion(Polynomial.variable(name), {}, {})
     total = Expansion(Polynomial(), {}, {})
     for coefficient, factors in n.terms:
         term = expand_product(coefficient, list(map(expand, factors)))

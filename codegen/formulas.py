@@ -248,3 +248,11 @@ def normalize_reciprocal(S, let):
     r = let("r", 1 / root(let("alpha", alpha(S))))
     q = let("q", let("half_beta", beta(S) / 2) * r * r)
     return (S - S * Multivector({OMEGA: q})) * r
+
+
+def reverse_over(S, let):
+    """S̄ / (S̄S) = S̄ (1 - (β/α) ω) / α."""
+    a = let("alpha", alpha(S))
+    k = let("k", 1 / a)
+    r = let("r", beta(S) * k)
+    return k * (~S - (~S * Multivector({OMEGA: r})))

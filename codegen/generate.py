@@ -12,9 +12,11 @@ from __future__ import annotations
 import argparse
 import difflib
 import sys
+import textwrap
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
-from typing import Dict, List, Sequence, Tuple
+from typing import Dict, List, Sequence, Set, Tuple
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 sys.dont_write_bytecode = True
@@ -25,8 +27,9 @@ except ModuleNotFoundError:
     sys.exit("generate.py needs jinja2: install it (Debian: apt-get install python3-jinja2) for this python3")
 
 from algebra import BLADES, METRIC, Multivector, blade_product, blade_reverse, e, multivector
+from approximate import MANTISSA_BITS, REAL_NUMBERS, TABLE, error_bound, literal, polynomial
 from elements import MOTOR, VECTOR
-from emit import Writer, constant_names
+from emit import WIDTH, Writer, constant_names
 from expression import named, node, symbol
 from golden import golden_rows
 from kernels import KERNELS, Kernel, Pairing, as_tuple
@@ -91,6 +94,7 @@ def build_form(kernel: Kernel, name: str, formula) -> Form:
     return Form(name, tuple(node(c) for output, result in pairs for c in output.coefficients(result)))
 
 
+@lru_cache(maxsize=None)
 def variants_of(kernel: Kernel) -> List[Variant]:
     variants: Dict[str, Variant] = {}
     for pairing in kernel.pairings:
@@ -122,8 +126,10 @@ def render_all() -> Dict[str, str]:
     for kernel in KERNELS:
         variants = variants_of(kernel)
         files[f"kernels/{kernel.name}.inl"] = render("kernel.inl.j2", **kernel_values(kernel, variants))
-        files[f"golden/{kernel.name}.inc"] = render("golden.inc.j2", **golden_values(kernel))
+        if kernel.is_rational:
+            files[f"golden/{kernel.name}.inc"] = render("golden.inc.j2", **golden_values(kernel))
         rows += [list_row(variant) for variant in variants]
+    files["kernels/approximations.inl"] = render("approximations.inl.j2", **approximation_values())
     files["kernel_list.inc"] = render("kernel_list.inc.j2", rows=rows)
     files["product_tables.md"] = render("product_tables.md.j2", **product_table_values())
     return files
@@ -161,11 +167,15 @@ def variant_values(variant: Variant) -> Dict[str, object]:
         "output_sizes": outputs,
         "affine": variant.choice.form.name == "matrix" and inputs == outputs and set(outputs) == {3},
         "accumulates": blends,
-        "prologue_count": str(plan.count("prologue")),
+        "prologue_count": comment(str(plan.count("prologue"))),
         "prologue": write_prologue(variant),
-        "body_count": str(plan.count("body")),
+        "body_count": comment(str(plan.count("body"))),
         "body": write_body(variant),
     }
+
+
+def comment(text: str) -> List[str]:
+    return textwrap.wrap(text, WIDTH - len("    // "))
 
 
 def form_cost(plan, has_prologue: bool) -> str:
@@ -217,6 +227,30 @@ def golden_values(kernel: Kernel) -> Dict[str, object]:
             {"inputs": [decimal(v) for v in inputs], "outputs": outputs} for inputs, outputs in golden_rows(kernel)
         ],
     }
+
+
+def approximation_values() -> Dict[str, object]:
+    def polynomial_values(name: str, row) -> Dict[str, object]:
+        rows = []
+        for precision in MANTISSA_BITS:
+            suffix = "f" if precision == "f32" else ""
+            literals = [literal(c, precision) + suffix for c in polynomial(name, precision)]
+            bound = float(error_bound(name, precision, row.weight))
+            lines = textwrap.wrap(", ".join(literals) + ",", WIDTH - 8)
+            rows.append({"literals": lines, "degree": row.degree(precision), "bound": f"{bound:.2g}"})
+        return {"name": name, "meaning": row.function.meaning, "end": row.end, "weight": row.weight, "rows": rows}
+
+    return {
+        "numbers": [
+            {"name": name, "meaning": meaning, "literals": [literal(value(p), p) for p in MANTISSA_BITS]}
+            for name, (meaning, value) in REAL_NUMBERS.items()
+        ],
+        "polynomials": [polynomial_values(name, row) for name, row in TABLE.items() if name in used_functions()],
+    }
+
+
+def used_functions() -> Set[str]:
+    return {op for kernel in KERNELS for v in variants_of(kernel) for op in v.choice.plan.count("body").by_kind}
 
 
 def product_table_values() -> Dict[str, object]:

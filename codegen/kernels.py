@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Callable, Mapping, Tuple, Union
 
 from algebra import Multivector
-from elements import DIRECTION, LINE, MOTOR, POINT, TANGENT, VECTOR, Element
+from elements import BIVECTOR, DIRECTION, LINE, MOTOR, POINT, TANGENT, VECTOR, Element
 from formulas import (
     LINE_FORMS,
     LINE_UNIT_FORMS,
@@ -30,6 +30,16 @@ from formulas import (
     shifted_matrix,
     tangent_form,
     vertex_form,
+)
+from motor_group import (
+    exp_bivector,
+    inverse,
+    log_principal,
+    log_shortest,
+    of_any_motor,
+    power,
+    slerp,
+    square_root,
 )
 from polynomial import Polynomial, Quotient, variables
 
@@ -64,7 +74,7 @@ class Pairing:
     like: str = ""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Kernel:
     verb: str
     operand: str
@@ -77,6 +87,7 @@ class Kernel:
     # The variant for callers who promise S̄S = 1: its forms, and what the promise means for the symbols.
     unit_forms: Tuple[Tuple[str, Formula], ...] = ()
     unit_relations: Mapping[str, Union[Polynomial, Quotient]] = field(default_factory=dict)
+    is_rational: bool = True  # a quotient of polynomials and their roots: golden vectors are exact
     mixed: bool = False  # computed in double, with motors of double and all else float
 
     @property
@@ -199,7 +210,7 @@ KERNELS: Tuple[Kernel, ...] = (
         "Hunt et al. (2017), lemma 3.5",
         (Input("first", MOTOR, "f_"), Input("then", MOTOR, "t_")),
         (MOTOR,),
-        (EACH,),
+        (EACH, Pairing("one_first", fixed=("first",)), Pairing("one_then", fixed=("then",))),
         (("product", lambda first, then, let: first * then),),
     ),
     Kernel(
@@ -231,5 +242,85 @@ KERNELS: Tuple[Kernel, ...] = (
         (MOTOR,),
         (SHARED_CONTROLS, EACH),
         (("term", lambda sum, weight, control, let: sum + weight[""] * control),),
+    ),
+    Kernel(
+        "inverse",
+        "motor",
+        "S̄ / (S̄S)",
+        "Hunt et al. (2017), lemma 3.4",
+        (Input("motor", MOTOR),),
+        (MOTOR,),
+        (EACH,),
+        (("inverse", inverse),),
+    ),
+    Kernel(
+        "exp",
+        "motor",
+        "exp(B) = C(x̂) + S(x̂) B",
+        "Wareham and Lasenby, theorem 3, in dual numbers",
+        (Input("generator", BIVECTOR),),
+        (MOTOR,),
+        (EACH,),
+        (("reduced", exp_bivector),),
+        is_rational=False,
+    ),
+    Kernel(
+        "log",
+        "motor",
+        "the bivector B with exp(B) = S or -S, whichever is shorter",
+        "Wareham and Lasenby, theorem 9, in dual numbers",
+        (Input("motor", MOTOR),),
+        (BIVECTOR,),
+        (EACH,),
+        (("dual", of_any_motor(log_shortest)),),
+        (("dual", log_shortest),),
+        UNIT,
+        is_rational=False,
+    ),
+    Kernel(
+        "log_principal",
+        "motor",
+        "the bivector B with exp(B) = S",
+        "Wareham and Lasenby, theorem 9, in dual numbers",
+        (Input("motor", MOTOR),),
+        (BIVECTOR,),
+        (EACH,),
+        (("dual", of_any_motor(log_principal)),),
+        (("dual", log_principal),),
+        UNIT,
+        is_rational=False,
+    ),
+    Kernel(
+        "sqrt",
+        "motor",
+        "S^½, of S or of -S, whichever is shorter; S normalised",
+        "(1 + S) / √((1 + S)~ (1 + S))",
+        (Input("motor", MOTOR),),
+        (MOTOR,),
+        (EACH,),
+        (("closed", square_root),),
+        is_rational=False,
+    ),
+    Kernel(
+        "power",
+        "motor",
+        "exp(t log S); S normalised",
+        "Wareham and Lasenby, section 3",
+        (Input("motor", MOTOR), Input("exponent", SCALAR)),
+        (MOTOR,),
+        (EACH,),
+        (("logarithm", power),),
+        is_rational=False,
+    ),
+    Kernel(
+        "slerp",
+        "motor",
+        "S0 (S0^-1 S1)^t, the short way; both normalised",
+        "Wareham and Lasenby, section 3.1; Shoemake, in dual numbers",
+        (Input("first", MOTOR, "f_"), Input("second", MOTOR, "s_"), Input("parameter", SCALAR)),
+        (MOTOR,),
+        (EACH, Pairing("one", fixed=("first", "second"))),
+        (("weights", slerp),),
+        is_rational=False,
     ),
 )

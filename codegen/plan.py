@@ -11,17 +11,29 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Dict, FrozenSet, List, Sequence, Tuple
 
+from approximate import TABLE
 from expression import Node, sum_of
 
 # fma(a, b, c) = a b + c, fnma = c - a b, fms = a b - c: one operation each, as on every CPU that fuses.
 ARITHMETIC = ("mul", "add", "sub", "fma", "fnma", "fms", "negate")
+# Steps that are not arithmetic: a comparison and a choice are two instructions, the others one.
+STEPS = {"at_least": 1, "nearest": 1, "magnitude": 1, "with_sign": 1, "if_less": 2}
+SLOW = ("div", "sqrt")
 # A 512-bit division or square root keeps its unit busy for as long as about 32 fused multiply-adds take.
-WEIGHT = {**{op: 1 for op in ARITHMETIC}, "div": 32, "sqrt": 32}
+SLOW_WEIGHT = 32
+COUNTED = (*ARITHMETIC, *STEPS, *SLOW, *TABLE)
+
+
+def operations_of(op: str, precision: str) -> int:
+    """Instructions of the class of a fused multiply-add: of a polynomial its degree."""
+    if op in TABLE:
+        return TABLE[op].degree(precision)
+    return 1 if op in ARITHMETIC else STEPS.get(op, 0)
 
 
 @dataclass(frozen=True)
 class Operation:
-    """One machine operation, an input (`op` is "input") or a number ("constant")."""
+    """One operation, an input (`op` is "input") or a number ("constant": a value, or the name of a real number)."""
 
     op: str
     operands: Tuple["Operation", ...] = ()
@@ -31,7 +43,7 @@ class Operation:
 
     @property
     def counted(self) -> bool:
-        return self.op in WEIGHT
+        return self.op in COUNTED
 
 
 @dataclass(frozen=True)
@@ -70,23 +82,27 @@ class Count:
 
     by_kind: Counter
 
+    def operations_in(self, precision: str) -> int:
+        """Operations of the class of a fused multiply-add: all but divisions and square roots."""
+        return sum(operations_of(op, precision) * n for op, n in self.by_kind.items())
+
     @property
     def operations(self) -> int:
-        """Operations of the class of a fused multiply-add: all but divisions and square roots."""
-        return sum(self.by_kind[op] for op in ARITHMETIC)
+        return self.operations_in("f32")
 
     @property
     def divisions(self) -> int:
         """Divisions and square roots."""
-        return self.by_kind["div"] + self.by_kind["sqrt"]
+        return sum(self.by_kind[op] for op in SLOW)
 
     @property
     def cost(self) -> int:
-        return sum(WEIGHT[op] * n for op, n in self.by_kind.items())
+        return self.operations + SLOW_WEIGHT * self.divisions
 
     def __str__(self) -> str:
-        order = [op for op in WEIGHT if self.by_kind[op]]
-        return " + ".join(f"{self.by_kind[op]} {op}" for op in order) or "nothing"
+        text = " + ".join(f"{self.by_kind[op]} {op}" for op in COUNTED if self.by_kind[op]) or "nothing"
+        single, double = self.operations_in("f32"), self.operations_in("f64")
+        return text if single == double else f"{text}: {single} operations in float, {double} in double"
 
 
 def make_plan(outputs: Sequence[Node], element_symbols: FrozenSet[str]) -> Plan:
@@ -134,6 +150,10 @@ class _Lowering:
             return operation("div", *map(self.lower, n.operands))
         if n.kind == "root":
             return operation("sqrt", *map(self.lower, n.operands))
+        if n.kind == "function":
+            return operation(n.name, *map(self.lower, n.operands))
+        if n.kind == "precise":
+            return Operation("constant", name=n.name)
         invariant = [t for t in n.terms if not self._varies(t)]
         if 1 < len(invariant) < len(n.terms):  # the invariant part is a sum of its own, for the prologue
             part = sum_of(invariant)
@@ -144,6 +164,8 @@ class _Lowering:
         return any(self.lower(factor).in_body for factor in term[1])
 
     def _lower_sum(self, terms) -> Operation:
+        if not terms:
+            return Operation("constant")
         items = [self._lower_term(term) for term in terms]
         start = self._choose_start(items, terms)
         sign, accumulator = items[start][0], operation_of_product(items[start][1])

@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Dict, FrozenSet, Mapping, Sequence, Tuple, Union
 
-from expression import Expansion, Node, as_term, divide, expand, from_polynomial, multiply, named, root, sum_of
+from expression import Expansion, Node, as_term, divide, expand, from_polynomial, function, multiply, named, root, sum_of
 from plan import Plan, make_plan, reachable
 from polynomial import ONE, Polynomial, Quotient
 
@@ -46,7 +46,7 @@ def choose(forms: Sequence[Form], element_symbols: FrozenSet[str], relations: Re
 
 def prove_equal(forms: Sequence[Form], relations: Relations) -> None:
     """Raise unless every form is exactly equal to the first."""
-    definition = [expand(output) for output in forms[0].outputs]
+    definition = [expand(output) for output in forms[0].outputs] if len(forms) > 1 else []
     for form in forms[1:]:
         for k, output in enumerate(form.outputs):
             if not definition[k].equals(expand(output), dict(relations)):
@@ -109,8 +109,10 @@ def replace_pair(form: Form, pair) -> Form:
         return rebuilt[n]
 
     def rewrite(n: Node) -> Node:
-        if n.kind == "symbol" or n is shared:
+        if n.kind in ("symbol", "precise") or n is shared:
             return n
+        if n.kind == "function":
+            return function(n.name, *map(rebuild, n.operands))
         if n.kind == "named":
             return named(n.name, rebuild(n.operands[0]))
         if n.kind == "quotient":

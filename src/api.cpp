@@ -5,73 +5,12 @@
 #include "view.h"
 
 #include <cmath>
-#include <initializer_list>
 
 namespace motorway {
 namespace {
 
-// A validated call of a kernel of one or two streams.
-template <class T, int N>
-mw_status run(kernel_id id, const view<T, N> &out, std::initializer_list<stream<const T>> in, std::size_t count)
-{
-    const stream<T> to = out.as_stream();
-    call<T> arguments;
-    arguments.out = &to;
-    arguments.in = in.begin();
-    arguments.count = count;
-    find<T>(*kernels(), id)(arguments);
-    return MW_OK;
-}
-
 // Whether the library can run at all.
 mw_status check_call() { return kernels() ? MW_OK : MW_ERROR_ISA; }
-
-// The views of a call, of one input or of two.
-template <class T, int N, int M>
-mw_status check_views(const view<T, N> &out, const view<const T, M> &in, std::size_t count)
-{
-    if (is_usual(out, usual_range(out, count), in, count))
-        return MW_OK;
-    return first_error(check_view(out, count), [&] { return check_view(in, count); },
-                       [&] { return check_overlap(out, in, count); });
-}
-template <class T, int N, int M, int L>
-mw_status check_views(const view<T, N> &out, const view<const T, M> &first, const view<const T, L> &second,
-                      std::size_t count)
-{
-    const byte_range range = usual_range(out, count);
-    if (is_usual(out, range, first, count) && is_usual(out, range, second, count))
-        return MW_OK;
-    return first_error(
-        check_view(out, count), [&] { return check_view(first, count); }, [&] { return check_view(second, count); },
-        [&] { return check_overlap(out, first, count); }, [&] { return check_overlap(out, second, count); });
-}
-
-// Kernels of one or of two streams.
-template <class T, int N, int M>
-mw_status stream_one(kernel_id id, const view<T, N> &out, const view<const T, M> &in, std::size_t count)
-{
-    const mw_status called = check_call();
-    if (called != MW_OK || count == 0)
-        return called;
-    const mw_status status = check_views(out, in, count);
-    if (status != MW_OK)
-        return status;
-    return run<T>(id, out, {in.as_stream()}, count);
-}
-
-template <class T, int N, int M, int L>
-mw_status stream_two(kernel_id id, const view<T, N> &out, const view<const T, M> &first,
-                     const view<const T, L> &second, std::size_t count)
-{
-    const mw_status called = check_call();
-    if (called != MW_OK || count == 0)
-        return called;
-    const mw_status status = check_views(out, first, second, count);
-    if (status != MW_OK)
-        return status;
-    return run<T>(id, out, {first.as_stream(), second.as_stream()}, count);
-}
 
 // ------------------------------------------------------------------------------------------------------ blends
 
@@ -258,6 +197,7 @@ const char *mw_status_text(mw_status status)
     case MW_ERROR_KNOTS:
         return "knots must be finite, must not decrease, may be repeated degree + 1 times at most, and must span a domain";
     case MW_ERROR_PARAMETER: return "a parameter is outside the domain of the motion, or NaN";
+    case MW_ERROR_PARENT: return "the parent of a joint must come before it, or be negative for a root";
     case MW_ERROR_TERM_COUNT: return "a blend of separate control arrays has at most 256 terms";
     case MW_ERROR_ISA: return isa_error();
     }
@@ -277,22 +217,6 @@ const char *mw_isas(void) { return isa_names(); }
     mw_status mw_check_motors_##P(mw_const_motors_##P motors, size_t count, size_t *first_bad)                        \
     {                                                                                                                 \
         return check_motors<T>(view_of_motors<const T>(motors), count, first_bad);                                    \
-    }                                                                                                                 \
-    mw_status mw_compose_motor_each_##P(mw_motors_##P out, mw_const_motors_##P first, mw_const_motors_##P then,       \
-                                        size_t count)                                                                 \
-    {                                                                                                                 \
-        return stream_two(kernel_id::compose_motor_each, view_of_motors<T>(out), view_of_motors<const T>(first),      \
-                          view_of_motors<const T>(then), count);                                                      \
-    }                                                                                                                 \
-    mw_status mw_reverse_motor_each_##P(mw_motors_##P out, mw_const_motors_##P motors, size_t count)                  \
-    {                                                                                                                 \
-        return stream_one(kernel_id::reverse_motor_each, view_of_motors<T>(out), view_of_motors<const T>(motors),     \
-                          count);                                                                                     \
-    }                                                                                                                 \
-    mw_status mw_normalize_motor_each_##P(mw_motors_##P out, mw_const_motors_##P motors, size_t count)                \
-    {                                                                                                                 \
-        return stream_one(kernel_id::normalize_motor_each, view_of_motors<T>(out), view_of_motors<const T>(motors),   \
-                          count);                                                                                     \
     }                                                                                                                 \
     mw_status mw_blend_motor_one_##P(mw_motors_##P out, const mw_motor_##P *controls, mw_weights_##P weights,         \
                                      size_t term_count, size_t count)                                                 \

@@ -79,6 +79,7 @@ typedef enum mw_status {
     MW_ERROR_KNOTS,            /* a knot that decreases, is not finite, or is repeated more than degree + 1 times;
                                   or a domain of length zero */
     MW_ERROR_PARAMETER,        /* a parameter outside the domain of the motion, or NaN */
+    MW_ERROR_PARENT,           /* a joint whose parent does not come before it */
     MW_ERROR_TERM_COUNT,       /* more than MW_MAX_TERMS terms in a blend of separate control arrays */
     MW_ERROR_ISA               /* MOTORWAY_ISA names an instruction set that cannot run here */
 } mw_status;
@@ -126,6 +127,7 @@ typedef struct mw_motor_f64 { double s, b12, b13, b23, b1i, b2i, b3i, w; } mw_mo
  *     mw_vectors   e0 e1 e2 e3 ei                 grade 1: points, spheres and planes (ei: the coefficient of e∞)
  *     mw_lines     dx dy dz mx my mz              Plücker: the direction d, and the moment p × d of any point p on it
  *     mw_motors    s b12 b13 b23 b1i b2i b3i w    motors, in the order of the paper
+ *     mw_bivectors b12 b13 b23 b1i b2i b3i        logarithms of motors
  *
  * They are made by
  *     mw_[const_]xyz_f32_aos(first, stride)    components adjacent at `first`, `stride` bytes from element to element;
@@ -140,6 +142,7 @@ typedef struct mw_motor_f64 { double s, b12, b13, b23, b1i, b2i, b3i, w; } mw_mo
 #define MW_COMPONENTS_lines(use, T) use(dx, T) use(dy, T) use(dz, T) use(mx, T) use(my, T) use(mz, T)
 #define MW_COMPONENTS_motors(use, T)                                                                                  \
     use(s, T) use(b12, T) use(b13, T) use(b23, T) use(b1i, T) use(b2i, T) use(b3i, T) use(w, T)
+#define MW_COMPONENTS_bivectors(use, T) use(b12, T) use(b13, T) use(b23, T) use(b1i, T) use(b2i, T) use(b3i, T)
 
 #define MW_DECLARE(component, T) T *component;
 #define MW_SET_ADJACENT(component, T) view.component = first ? (T *)first + k++ : NULL;
@@ -181,6 +184,7 @@ MW_DEFINE_VIEWS(xyzw, float, double, _soa)
 MW_DEFINE_VIEWS(vectors, float, double, _soa)
 MW_DEFINE_VIEWS(lines, float, double, _soa)
 MW_DEFINE_VIEWS(motors, mw_motor_f32, mw_motor_f64, _soa)
+MW_DEFINE_VIEWS(bivectors, float, double, _soa)
 
 #define MW_DEFINE_XYZ_SOA(view_type, T)                                                                               \
     static inline view_type view_type##_soa(T *x, T *y, T *z)                                                         \
@@ -215,6 +219,7 @@ MW_DEFINE_VERTICES(mw_const_vertices_f64, mw_const_xyz_f64)
 #undef MW_COMPONENTS_vectors
 #undef MW_COMPONENTS_lines
 #undef MW_COMPONENTS_motors
+#undef MW_COMPONENTS_bivectors
 #undef MW_DECLARE
 #undef MW_SET_ADJACENT
 #undef MW_SET_ARRAY
@@ -364,6 +369,33 @@ mw_status mw_compose_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 first
 mw_status mw_compose_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 first, mw_const_motors_f64 then,
                                     size_t count);
 
+/* The same where one factor is the same for all: out[i] = first then[i], and out[i] = first[i] then.
+ * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
+mw_status mw_compose_motor_one_first_f32(mw_motors_f32 out, const mw_motor_f32 *first, mw_const_motors_f32 then,
+                                         size_t count);
+mw_status mw_compose_motor_one_first_f64(mw_motors_f64 out, const mw_motor_f64 *first, mw_const_motors_f64 then,
+                                         size_t count);
+mw_status mw_compose_motor_one_then_f32(mw_motors_f32 out, mw_const_motors_f32 first, const mw_motor_f32 *then,
+                                        size_t count);
+mw_status mw_compose_motor_one_then_f64(mw_motors_f64 out, mw_const_motors_f64 first, const mw_motor_f64 *then,
+                                        size_t count);
+
+/* Poses along a hierarchy, of many instances at once: out[j][i] = locals[j][i] out[parents[j]][i], the motor that moves
+ * from the space of joint j to that of its root, for joints j < joint_count in order and instances i < count.
+ * parents[j] < j, or negative for a root, of which out[j][i] = locals[j][i]. The motors of joint j begin
+ * j * joint_stride bytes after those of joint 0, of locals and of out alike: instances side by side
+ * (joint_stride >= count * stride) are a lane each, which is the fast way; skeletons one after the other have
+ * stride >= joint_count * joint_stride.
+ * In place if locals is out with the same joint_stride. MW_ERROR_NULL, MW_ERROR_STRIDE (also joints that run into each
+ * other), MW_ERROR_SIZE, MW_ERROR_OVERLAP; MW_ERROR_PARENT if parents[j] >= j, and then *first_bad (unless that pointer
+ * is null) is j. */
+mw_status mw_compose_motor_hierarchy_f32(mw_motors_f32 out, mw_const_motors_f32 locals, size_t joint_stride,
+                                         const int32_t *parents, size_t joint_count, size_t count,
+                                         size_t *first_bad);
+mw_status mw_compose_motor_hierarchy_f64(mw_motors_f64 out, mw_const_motors_f64 locals, size_t joint_stride,
+                                         const int32_t *parents, size_t joint_count, size_t count,
+                                         size_t *first_bad);
+
 /* out[i] = the reverse of motors[i]: the opposite motion, and for a normalised motor its inverse.
  * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_reverse_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, size_t count);
@@ -374,6 +406,69 @@ mw_status mw_reverse_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motor
  * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP; degenerate motors: see mw_check_motors. */
 mw_status mw_normalize_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, size_t count);
 mw_status mw_normalize_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
+
+/* out[i] = motors[i]^-1 = S̄ / (S̄S), the opposite motion, of motors that need not be normalised (lemma 3.4).
+ * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP; degenerate motors: see mw_check_motors. */
+mw_status mw_inverse_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, size_t count);
+mw_status mw_inverse_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
+
+/* -------------------------------------------------------------------------------- exponentials, interpolation --- */
+
+/* A bivector B generates the motions exp(tB), which are screws: with B = ½θ (b + (b∧q) e∞) + ½ t e∞, b = a e123 and t
+ * along a, exp(B) rotates by θ about the axis a through q and moves by t along it (Wareham and Lasenby, section 2).
+ * docs/accuracy.md has the errors of these functions and where they come from. None of them branches, and none calls
+ * a mathematical library. */
+
+/* out[i] = exp(generators[i]), normalised, for every angle.
+ * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
+mw_status mw_exp_motor_each_f32(mw_motors_f32 out, mw_const_bivectors_f32 generators, size_t count);
+mw_status mw_exp_motor_each_f64(mw_motors_f64 out, mw_const_bivectors_f64 generators, size_t count);
+
+/* out[i] = the logarithm of motors[i] or of -motors[i], which move alike, whichever turns by no more than a half turn:
+ * exp(out[i]) is the motor with s >= 0. Translations are exact.
+ * Motors need not be normalised; with MW_UNIT_MOTORS they must be, which saves two thirds of the time.
+ * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS; degenerate motors: see
+ * mw_check_motors. */
+mw_status mw_log_motor_each_f32(mw_bivectors_f32 out, mw_const_motors_f32 motors, size_t count, unsigned flags);
+mw_status mw_log_motor_each_f64(mw_bivectors_f64 out, mw_const_motors_f64 motors, size_t count, unsigned flags);
+
+/* The same for the motor itself: exp(out[i]) = motors[i], which turns by less than a full turn. Near s = -1 (a full
+ * turn) the axis is lost to rounding and the moment grows as 1/sin; at -1 itself there is none, and the result is that
+ * of mw_log_motor_each. */
+mw_status mw_log_principal_motor_each_f32(mw_bivectors_f32 out, mw_const_motors_f32 motors, size_t count,
+                                          unsigned flags);
+mw_status mw_log_principal_motor_each_f64(mw_bivectors_f64 out, mw_const_motors_f64 motors, size_t count,
+                                          unsigned flags);
+
+/* out[i] = the normalised motor that does half of what motors[i], which must be normalised, does the short way.
+ * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
+mw_status mw_sqrt_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, size_t count);
+mw_status mw_sqrt_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
+
+/* out[i] = exp(t log S), the power t = exponents[i] of S = motors[i], which must be normalised, by its shortest
+ * logarithm. exponents[i] is at byte offset i * exponent_stride; exponent_stride 0: one exponent for all.
+ * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
+mw_status mw_power_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, const float *exponents,
+                                  size_t exponent_stride, size_t count);
+mw_status mw_power_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, const double *exponents,
+                                  size_t exponent_stride, size_t count);
+
+/* out[i] = first[i] (first[i]^-1 second[i])^t, the screw between two poses at t = parameters[i], the short way (both
+ * normalised; second or -second, whichever is nearer): first[i] at 0 and ±second[i] at 1, to rounding. Meant for
+ * 0 <= t <= 1, and as accurate for -1 <= t <= 2; not beyond. parameter_stride as above.
+ * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
+mw_status mw_slerp_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 first, mw_const_motors_f32 second,
+                                  const float *parameters, size_t parameter_stride, size_t count);
+mw_status mw_slerp_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 first, mw_const_motors_f64 second,
+                                  const double *parameters, size_t parameter_stride, size_t count);
+
+/* The same between two poses, at many parameters. */
+mw_status mw_slerp_motor_one_f32(mw_motors_f32 out, const mw_motor_f32 *first, const mw_motor_f32 *second,
+                                 const float *parameters, size_t parameter_stride, size_t count);
+mw_status mw_slerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, const mw_motor_f64 *second,
+                                 const double *parameters, size_t parameter_stride, size_t count);
+
+/* -------------------------------------------------------------------------------------------- blending motors --- */
 
 /* The weights of a blend: `term_count` base pointers, one a term, and one byte stride: the weight of term k in
  * element i is at byte offset i * stride from terms[k]. N rows of K adjacent weights are terms[k] = first + k with

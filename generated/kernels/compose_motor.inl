@@ -36,3 +36,99 @@ struct compose_motor_each {
             t_b2i, fma(f_b12, t_b3i, f_s * t_w)))))));
     }
 };
+
+// compose motor one_first
+//
+// Forms, all proved equal; operations an element (and once a batch):
+//     product     48  (0)   <- chosen
+struct compose_motor_one_first {
+    using arithmetic = compose_motor_one_first;
+    static constexpr int fixed_size = 8, constant_size = 8;
+    static constexpr int motor_size = 0;
+    using inputs = sizes<8>;
+    using outputs = sizes<8>;
+
+    // nothing
+    template <class V> static inline void prologue(const V *fixed, V *constant)
+    {
+        const V f_s = fixed[0], f_b12 = fixed[1], f_b13 = fixed[2], f_b23 = fixed[3], f_b1i = fixed[4],
+            f_b2i = fixed[5], f_b3i = fixed[6], f_w = fixed[7];
+        constant[0] = f_b12;
+        constant[1] = f_b13;
+        constant[2] = f_b1i;
+        constant[3] = f_b23;
+        constant[4] = f_b2i;
+        constant[5] = f_b3i;
+        constant[6] = f_s;
+        constant[7] = f_w;
+    }
+
+    // 8 mul + 22 fma + 18 fnma
+    template <class V> static inline void body(const V *constant, const V *in, V *out)
+    {
+        const V f_b12 = constant[0], f_b13 = constant[1], f_b1i = constant[2], f_b23 = constant[3],
+            f_b2i = constant[4], f_b3i = constant[5], f_s = constant[6], f_w = constant[7];
+        const V t_s = in[0], t_b12 = in[1], t_b13 = in[2], t_b23 = in[3], t_b1i = in[4], t_b2i = in[5], t_b3i = in[6],
+            t_w = in[7];
+        out[0] = fnma(f_b23, t_b23, fnma(f_b13, t_b13, fnma(f_b12, t_b12, f_s * t_s)));
+        out[1] = fma(f_b23, t_b13, fnma(f_b13, t_b23, fma(f_b12, t_s, f_s * t_b12)));
+        out[2] = fnma(f_b23, t_b12, fma(f_b13, t_s, fma(f_b12, t_b23, f_s * t_b13)));
+        out[3] = fma(f_b23, t_s, fma(f_b13, t_b12, fnma(f_b12, t_b13, f_s * t_b23)));
+        out[4] = fnma(f_w, t_b23, fnma(f_b3i, t_b13, fnma(f_b2i, t_b12, fnma(f_b23, t_w, fma(f_b1i, t_s, fma(f_b13,
+            t_b3i, fma(f_b12, t_b2i, f_s * t_b1i)))))));
+        out[5] = fma(f_w, t_b13, fnma(f_b3i, t_b23, fma(f_b2i, t_s, fma(f_b23, t_b3i, fma(f_b1i, t_b12, fma(f_b13,
+            t_w, fnma(f_b12, t_b1i, f_s * t_b2i)))))));
+        out[6] = fnma(f_w, t_b12, fma(f_b3i, t_s, fma(f_b2i, t_b23, fnma(f_b23, t_b2i, fma(f_b1i, t_b13, fnma(f_b13,
+            t_b1i, fnma(f_b12, t_w, f_s * t_b3i)))))));
+        out[7] = fma(f_w, t_s, fma(f_b3i, t_b12, fnma(f_b2i, t_b13, fma(f_b23, t_b1i, fma(f_b1i, t_b23, fnma(f_b13,
+            t_b2i, fma(f_b12, t_b3i, f_s * t_w)))))));
+    }
+};
+
+// compose motor one_then
+//
+// Forms, all proved equal; operations an element (and once a batch):
+//     product     48  (0)   <- chosen
+struct compose_motor_one_then {
+    using arithmetic = compose_motor_one_then;
+    static constexpr int fixed_size = 8, constant_size = 8;
+    static constexpr int motor_size = 0;
+    using inputs = sizes<8>;
+    using outputs = sizes<8>;
+
+    // nothing
+    template <class V> static inline void prologue(const V *fixed, V *constant)
+    {
+        const V t_s = fixed[0], t_b12 = fixed[1], t_b13 = fixed[2], t_b23 = fixed[3], t_b1i = fixed[4],
+            t_b2i = fixed[5], t_b3i = fixed[6], t_w = fixed[7];
+        constant[0] = t_b12;
+        constant[1] = t_b13;
+        constant[2] = t_b1i;
+        constant[3] = t_b23;
+        constant[4] = t_b2i;
+        constant[5] = t_b3i;
+        constant[6] = t_s;
+        constant[7] = t_w;
+    }
+
+    // 8 mul + 22 fma + 18 fnma
+    template <class V> static inline void body(const V *constant, const V *in, V *out)
+    {
+        const V t_b12 = constant[0], t_b13 = constant[1], t_b1i = constant[2], t_b23 = constant[3],
+            t_b2i = constant[4], t_b3i = constant[5], t_s = constant[6], t_w = constant[7];
+        const V f_s = in[0], f_b12 = in[1], f_b13 = in[2], f_b23 = in[3], f_b1i = in[4], f_b2i = in[5], f_b3i = in[6],
+            f_w = in[7];
+        out[0] = fnma(t_b23, f_b23, fnma(t_b13, f_b13, fnma(t_b12, f_b12, t_s * f_s)));
+        out[1] = fma(t_b13, f_b23, fnma(t_b23, f_b13, fma(t_s, f_b12, t_b12 * f_s)));
+        out[2] = fnma(t_b12, f_b23, fma(t_s, f_b13, fma(t_b23, f_b12, t_b13 * f_s)));
+        out[3] = fma(t_s, f_b23, fma(t_b12, f_b13, fnma(t_b13, f_b12, t_b23 * f_s)));
+        out[4] = fnma(t_b23, f_w, fnma(t_b13, f_b3i, fnma(t_b12, f_b2i, fnma(t_w, f_b23, fma(t_s, f_b1i, fma(t_b3i,
+            f_b13, fma(t_b2i, f_b12, t_b1i * f_s)))))));
+        out[5] = fma(t_b13, f_w, fnma(t_b23, f_b3i, fma(t_s, f_b2i, fma(t_b3i, f_b23, fma(t_b12, f_b1i, fma(t_w,
+            f_b13, fnma(t_b1i, f_b12, t_b2i * f_s)))))));
+        out[6] = fnma(t_b12, f_w, fma(t_s, f_b3i, fma(t_b23, f_b2i, fnma(t_b2i, f_b23, fma(t_b13, f_b1i, fnma(t_b1i,
+            f_b13, fnma(t_w, f_b12, t_b3i * f_s)))))));
+        out[7] = fma(t_s, f_w, fma(t_b12, f_b3i, fnma(t_b13, f_b2i, fma(t_b1i, f_b23, fma(t_b23, f_b1i, fnma(t_b2i,
+            f_b13, fma(t_b3i, f_b12, t_w * f_s)))))));
+    }
+};

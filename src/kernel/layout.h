@@ -321,8 +321,8 @@ using interleaved_stream = std::conditional_t<has_rows<T>, interleaved_rows<T, N
 template <int N> constexpr bool has_permutes = N == 3 || N == 4 || N == 8;
 template <class T, int N>
 using packed_stream =
-    std::conditional_t<has_permutes<N> && !(N % 4 == 0 && has_rows<T> && !permutes_are_cheap),
-                       packed_transposed<T, N>, interleaved_stream<T, N>>;
+    std::conditional_t<N == 1, soa_stream<T, N>, std::conditional_t<has_permutes<N> && !(N % 4 == 0 && has_rows<T> && !permutes_are_cheap),
+                       packed_transposed<T, N>, interleaved_stream<T, N>>>;
 #endif
 
 // Elements of N adjacent components at any addresses: element(lane) is where that of a lane begins.

@@ -61,11 +61,13 @@ MOTORWAY_LOOP void run_elements(const call<T, E> &c, [[maybe_unused]] int before
         run_block<K, T, E, true, Mode>(constant, motors, in, out, i, left);
 }
 
-template <class Stream> inline bool all_are(layout kind, const Stream *streams, int number)
+// Streams of one component that are arrays are packed as well.
+template <class Sizes, class Stream> inline bool all_are(layout kind, const Stream *streams)
 {
     bool all = true;
-    for (int k = 0; k < number; ++k)
-        all &= streams[k].kind == kind;
+    for (int k = 0; k < Sizes::number; ++k)
+        all &= streams[k].kind == kind ||
+               (Sizes::value[k] == 1 && kind == layout::packed && streams[k].kind == layout::soa);
     return all;
 }
 
@@ -74,7 +76,7 @@ template <class K, class T, class E> inline bool elements_are(const call<T, E> &
 #if defined(MOTORWAY_ISA_scalar) // one element a register: every layout is as good as any
     return false;
 #endif
-    return all_are(kind, c.out, K::outputs::number) && all_are(kind, c.in, K::inputs::number);
+    return all_are<typename K::outputs>(kind, c.out) && all_are<typename K::inputs>(kind, c.in);
 }
 
 // All streams of one layout that has whole registers: their results can go past the caches.
@@ -119,6 +121,10 @@ template <class K, class T, class E> void run_one(const call<T, E> &c)
         run_any_layout<K, T, E, no_motors>(c);
 }
 
+// One motor that acts first, or last.
+template <class K, class T, class E> void run_one_first(const call<T, E> &c) { run_any_layout<K, T, E, no_motors>(c); }
+template <class K, class T, class E> void run_one_then(const call<T, E> &c) { run_any_layout<K, T, E, no_motors>(c); }
+
 template <class K, class T, class E> void run_each(const call<T, E> &c)
 {
     if constexpr (accumulates<K>)
@@ -142,9 +148,9 @@ template <class K, class T, class E> void run_each(const call<T, E> &c)
 // The images of an element lie side by side: the other grid is apply.cpp's.
 template <class K, class T, class E> void run_grid(const call<T, E> &c)
 {
-    if (all_are(layout::soa, c.out, K::outputs::number))
+    if (all_are<typename K::outputs>(layout::soa, c.out))
         return run_lanes_of_motors<K, T, E, soa_stream>(c);
-    if (all_are(layout::packed, c.out, K::outputs::number))
+    if (all_are<typename K::outputs>(layout::packed, c.out))
         return run_lanes_of_motors<K, T, E, packed_stream>(c);
     run_lanes_of_motors<K, T, E, any_stream>(c);
 }

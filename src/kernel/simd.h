@@ -115,6 +115,87 @@ template <class T, class A> inline xsimd::batch<T, A> negate(const xsimd::batch<
 inline float sqrt(float a) { return __builtin_sqrtf(a); }
 inline double sqrt(double a) { return __builtin_sqrt(a); }
 
+// What a vector is made of, which for a scalar is itself.
+template <class V> struct scalar_type { using type = V; };
+#if !defined(MOTORWAY_ISA_scalar)
+template <class T, class A> struct scalar_type<xsimd::batch<T, A>> { using type = T; };
+#endif
+template <class V> using scalar_of = typename scalar_type<V>::type;
+template <class V> constexpr bool is_single = std::is_same_v<scalar_of<V>, float>;
+
+// The polynomial of these coefficients, from the constant upwards.
+template <int K = 0, class V, int N> inline V horner(const V &x, const scalar_of<V> (&coefficient)[N])
+{
+    if constexpr (K == N - 1)
+        return V(coefficient[K]);
+    else
+        return fma(horner<K + 1>(x, coefficient), x, V(coefficient[K]));
+}
+
+// The larger of two; a value that is NaN stays one.
+template <class T> inline T at_least_scalar(T value, T bound) { return value < bound ? bound : value; }
+inline float at_least(float value, float bound) { return at_least_scalar(value, bound); }
+inline double at_least(double value, double bound) { return at_least_scalar(value, bound); }
+
+inline float magnitude(float a) { return __builtin_fabsf(a); }
+inline double magnitude(double a) { return __builtin_fabs(a); }
+inline float with_sign(float a, float sign) { return __builtin_copysignf(a, sign); }
+inline double with_sign(double a, double sign) { return __builtin_copysign(a, sign); }
+inline float if_less(float a, float b, float then, float otherwise) { return a < b ? then : otherwise; }
+inline double if_less(double a, double b, double then, double otherwise) { return a < b ? then : otherwise; }
+
+#if !defined(MOTORWAY_ISA_scalar)
+template <class T, class A> inline xsimd::batch<T, A> magnitude(const xsimd::batch<T, A> &a) { return xsimd::abs(a); }
+template <class T, class A>
+inline xsimd::batch<T, A> with_sign(const xsimd::batch<T, A> &a, const xsimd::batch<T, A> &sign)
+{
+    return xsimd::copysign(a, sign);
+}
+template <class T, class A>
+inline xsimd::batch<T, A> if_less(const xsimd::batch<T, A> &a, const xsimd::batch<T, A> &b,
+                                  const xsimd::batch<T, A> &then, const xsimd::batch<T, A> &otherwise)
+{
+    return xsimd::select(a < b, then, otherwise);
+}
+#endif
+
+// The nearest integer, of two the even one. Adding and taking off 1.5 · 2^23 (2^52 in double) rounds to integers; what
+// is too large for that is one.
+template <class V> inline V nearest_by_adding(const V &a)
+{
+    using T = scalar_of<V>;
+    const V large(is_single<V> ? T(0x1.8p23) : T(0x1.8p52));
+    return if_less(magnitude(a), V(is_single<V> ? T(0x1p22) : T(0x1p51)), (a + large) - large, a);
+}
+#if defined(MOTORWAY_ISA_scalar) || defined(MOTORWAY_ISA_sse2)
+template <class V> inline V nearest(const V &a) { return nearest_by_adding(a); }
+#else
+inline float nearest(float a) { return nearest_by_adding(a); }
+inline double nearest(double a) { return nearest_by_adding(a); }
+#endif
+#if defined(MOTORWAY_ISA_avx512)
+inline floats at_least(const floats &value, const floats &bound) { return _mm512_max_ps(bound, value); }
+inline doubles at_least(const doubles &value, const doubles &bound) { return _mm512_max_pd(bound, value); }
+inline floats nearest(const floats &a) { return _mm512_roundscale_ps(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
+inline doubles nearest(const doubles &a) { return _mm512_roundscale_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
+#elif defined(MOTORWAY_ISA_avx2)
+inline floats at_least(const floats &value, const floats &bound) { return _mm256_max_ps(bound, value); }
+inline doubles at_least(const doubles &value, const doubles &bound) { return _mm256_max_pd(bound, value); }
+inline floats nearest(const floats &a) { return _mm256_round_ps(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
+inline doubles nearest(const doubles &a) { return _mm256_round_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
+#elif defined(MOTORWAY_ISA_sse2)
+inline vector<float> at_least(const vector<float> &value, const vector<float> &bound) { return _mm_max_ps(bound, value); }
+inline vector<double> at_least(const vector<double> &value, const vector<double> &bound)
+{
+    return _mm_max_pd(bound, value);
+}
+#elif defined(MOTORWAY_ISA_neon64)
+inline floats at_least(const floats &value, const floats &bound) { return vmaxq_f32(value, bound); }
+inline doubles at_least(const doubles &value, const doubles &bound) { return vmaxq_f64(value, bound); }
+inline floats nearest(const floats &a) { return vrndnq_f32(a); }
+inline doubles nearest(const doubles &a) { return vrndnq_f64(a); }
+#endif
+
 // Whether any lanes of two registers come together in one instruction.
 #if defined(MOTORWAY_ISA_avx512)
 constexpr bool permutes_are_cheap = true;

@@ -15,10 +15,18 @@ namespace {
 #include "../../generated/kernels/apply_tangent.inl"
 #include "../../generated/kernels/apply_vector.inl"
 #include "../../generated/kernels/apply_vertex.inl"
+#include "../../generated/kernels/approximations.inl"
 #include "../../generated/kernels/blend_motor.inl"
 #include "../../generated/kernels/compose_motor.inl"
+#include "../../generated/kernels/exp_motor.inl"
+#include "../../generated/kernels/inverse_motor.inl"
+#include "../../generated/kernels/log_motor.inl"
+#include "../../generated/kernels/log_principal_motor.inl"
 #include "../../generated/kernels/normalize_motor.inl"
+#include "../../generated/kernels/power_motor.inl"
 #include "../../generated/kernels/reverse_motor.inl"
+#include "../../generated/kernels/slerp_motor.inl"
+#include "../../generated/kernels/sqrt_motor.inl"
 
 } // namespace
 } // namespace MOTORWAY_ISA_NAME

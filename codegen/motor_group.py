@@ -1,0 +1,153 @@
+"""The formulas of the group of motors: exp, log, powers, interpolation.
+
+With B² = -(x + yω), x = |b|², the exponential of a bivector is C(x̂) + S(x̂) B for the entire functions C(x) = cos √x
+and S(x) = sin √x / √x of the dual number x̂ = x + yω; and a function of a dual number is f(x) + f'(x) yω. The logarithm
+of a normalised motor is f(ŝ) times its bivector, ŝ = s + wω, f(s) = acos(s)/√(1-s²). What approximates C, S and f is in
+approximate.py. (Wareham and Lasenby's theorems 3 and 9 are these, in another form: see errata.md.)
+
+Rounding errors are part of these formulas: a value under a name is computed as it stands.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from algebra import OMEGA, Multivector
+from elements import BIVECTOR
+from expression import function, precise, root
+from formulas import alpha, beta, normalize_reciprocal, reverse_over
+
+SMALLEST_ANGLE = Fraction(1, 2**40)  # its square is no rounding error of 1 in either precision
+
+
+def dual(real, pseudoscalar) -> Multivector:
+    """The dual number real + pseudoscalar ω; it commutes with every motor."""
+    return Multivector({"": real, OMEGA: pseudoscalar})
+
+
+def half_beta_of_square(B):
+    """h with B² = -|b|² + 2hω."""
+    return (B * B)[OMEGA] / 2
+
+
+def lost_in_sum(a, b, total, name, let):
+    """The rounding error of total = b b + a, to twice the precision. (Exactly, it is 0.)"""
+    part = let(f"{name}_part", total - a)
+    rest = let(f"{name}_rest", total - part)
+    return let(f"{name}_a", a - rest) + let(f"{name}_b", b * b - part)
+
+
+def exp_bivector(B, let):
+    """exp(B). The angle is reduced by multiples of 2π and kept to twice the precision: an error of it is one of the
+    motor, and grows with the angle otherwise."""
+    b12, b13, b23 = B["12"], B["13"], B["23"]
+    x1 = let("x1", b12 * b12)
+    x2 = let("x2", x1 + b13 * b13)
+    x = let("x", x2 + b23 * b23)
+    low = let("low", let("lost1", b12 * b12 - x1) + let("lost2", lost_in_sum(x1, b13, x2, "two", let))
+              + let("lost3", lost_in_sum(x2, b23, x, "three", let)))
+    near = let("near", root(x))
+    theta = let("theta", function("at_least", near, SMALLEST_ANGLE))
+    i = let("i", 1 / theta)
+    turns = let("turns", function("nearest", theta * precise("inverse_two_pi")))
+    rest = let("rest", let("missing", let("square_rest", x - near * near) + low) * let("half_i", i / 2))
+    reduced = let("reduced", theta - turns * precise("two_pi"))
+    r = let("r", reduced + let("correction", rest - turns * precise("two_pi_rest")))
+    y = let("y", r * r)
+    sinc = let("sinc_r", function("sinc", y))
+    slope = let("slope_r", y * function("sinc_slope", y))  # cos r - sinc r
+    q = let("q", i * sinc)
+    f = let("f", r * q)  # sin θ / θ
+    h = let("h", half_beta_of_square(B))
+    # h (cos θ - sin θ / θ) / θ²; nothing cancels where the angle is small
+    g = let("g", let("ii", i * i) * let("bend", slope + let("turned", turns * precise("two_pi")) * q) * h)
+    return dual(sinc + slope, f * h) + (dual(f, -g) * B).only(BIVECTOR.blades)
+
+
+def log_parts(S, let):
+    """Of a normalised motor: z = 1 - |s|, and f(|s|) with the sign of s."""
+    z = let("z", 1 - function("magnitude", S[""]))
+    return z, function("with_sign", function("arc", z), S[""])
+
+
+def log_shortest(S, let):
+    """The logarithm of S or of -S, whichever turns by no more than a half turn."""
+    z, f = log_parts(S, let)
+    g = let("g", function("arc_slope", z) * S[OMEGA])
+    return (dual(let("f", f), g) * S.only(BIVECTOR.blades)).only(BIVECTOR.blades)
+
+
+def log_principal(S, let):
+    """The logarithm of S itself, which turns by less than a full turn: for s < 0, f(s) = π/√(1-s²) - f(-s)."""
+    z, f = log_parts(S, let)
+    square = let("square", S["12"] * S["12"] + S["13"] * S["13"] + S["23"] * S["23"])
+    near = let("near", root(square))
+    rough = let("rough", function("if_less", SMALLEST_ANGLE, near, 1 / near, 0))
+    # One step of Newton's, for an inverse of |b| that is right to half an ulp.
+    i = let("i", rough + let("half_rough", rough / 2) * let("off", 1 - let("scaled", square * rough) * rough))
+    pi_over = let("pi_over", i * precise("pi") + i * precise("pi_rest"))
+    turn = let("turn", function("if_less", S[""], 0, pi_over, 0))
+    slope = let("slope", function("arc_slope", z) - let("bend", turn * function("magnitude", S[""])) * let("ii", i * i))
+    g = let("g", slope * S[OMEGA])
+    return (dual(let("f", f + turn), g) * S.only(BIVECTOR.blades)).only(BIVECTOR.blades)
+
+
+def of_any_motor(form):
+    """The same of a motor that need not be normalised."""
+
+    def normalized(S, let):
+        N = normalize_reciprocal(S, let)
+        return form(Multivector({blade: let("n" + (blade or "s"), c) for blade, c in N.parts.items()}), let)
+
+    return normalized
+
+
+def square_root(S, let):
+    """The motor halfway, of S or of -S: (1 + S) / √(its pseudoscalar), with s >= 0."""
+    a = let("a", function("magnitude", S[""]) + 1)
+    r = let("r", 1 / root(a + a))
+    c = let("c", function("with_sign", r, S[""]))
+    q = let("q", S[OMEGA] * let("rc", r * c))
+    b = S.only(BIVECTOR.blades)
+    turned = Multivector({blade: let(f"t{blade}", part) for blade, part in (dual(1, -q) * b).only(BIVECTOR.blades).parts.items()})
+    return dual(a * r, let("half_w", S[OMEGA] / 2) * c) + c * turned
+
+
+def slerp_weight(t, factor, shared, name, let):
+    """The dual number sin(t θ̂)/sin θ̂ times factor/t, for the dual angle θ̂ between two motors."""
+    f, ff, slope, x, w = shared
+    square = let(f"{name}_tt", t * t)
+    y = let(f"{name}_y", square * x)
+    sinc = let(f"{name}_sinc", function("sinc", y))
+    bend = let(f"{name}_bend", let(f"{name}_fft", ff * square) * function("sinc_slope", y))
+    real = let(f"{name}_real", factor * let(f"{name}_arc", f * sinc))
+    return real, let(f"{name}_dual", let(f"{name}_w", factor * w) * let(f"{name}_slope", slope * sinc - bend))
+
+
+def slerp(first, second, t, let):
+    """first (first^-1 second)^t the short way, as sin((1-t)θ̂)/sin θ̂ first + sin(tθ̂)/sin θ̂ second: Shoemake's slerp, in
+    dual numbers. Both weights are analytic where the motors meet; nothing is divided."""
+    between = ~first * second
+    s, w = let("s", between[""]), let("w", between[OMEGA])
+    a = let("a", function("magnitude", s))
+    z = let("z", 1 - a)
+    sign = let("sign", function("with_sign", 1, s))
+    f, slope = let("f", function("arc", z)), let("slope", function("arc_slope", z))
+    ff = let("ff", f * f)
+    shared = (f, ff, slope, let("xx", ff * let("sines", 1 - a * a)), let("short_w", sign * w))
+    u = let("u", 1 - t[""])
+    p = slerp_weight(u, u, shared, "p", let)
+    q = slerp_weight(t[""], let("signed_t", sign * t[""]), shared, "q", let)
+    return dual(*p) * first + dual(*q) * second
+
+
+def power(S, exponent, let):
+    """S^t = exp(t log S), by the shortest logarithm."""
+    B = log_shortest(S, let)
+    scaled = Multivector({blade: let(f"l{blade}", exponent[""] * let(f"g{blade}", c)) for blade, c in B.parts.items()})
+    return exp_bivector(scaled, lambda name, value: let(f"e_{name}", value))
+
+
+def inverse(S, let):
+    """S̄ / (S̄S), of any motor with α > 0 (lemma 3.4)."""
+    return reverse_over(S, let)
