@@ -22,6 +22,8 @@ struct Api;
         using ConstXyz = mw_const_xyz_##precision;                                                       \
         using Motors = mw_motors_##precision;                                                            \
         using ConstMotors = mw_const_motors_##precision;                                                 \
+        using Bivectors = mw_bivectors_##precision;                                                      \
+        using ConstBivectors = mw_const_bivectors_##precision;                                           \
         using Weights = mw_weights_##precision;                                                          \
         using Bspline = mw_bspline_##precision;                                                          \
         static constexpr auto xyz_aos = mw_xyz_##precision##_aos;                                        \
@@ -36,6 +38,17 @@ struct Api;
         static constexpr auto apply_direction_one = mw_apply_direction_one_##precision;                  \
         static constexpr auto apply_direction_each = mw_apply_direction_each_##precision;                \
         static constexpr auto compose_motor_each = mw_compose_motor_each_##precision;                    \
+        static constexpr auto compose_motor_one_first = mw_compose_motor_one_first_##precision;          \
+        static constexpr auto compose_motor_one_then = mw_compose_motor_one_then_##precision;            \
+        static constexpr auto compose_motor_hierarchy = mw_compose_motor_hierarchy_##precision;          \
+        static constexpr auto inverse_motor_each = mw_inverse_motor_each_##precision;                    \
+        static constexpr auto exp_motor_each = mw_exp_motor_each_##precision;                            \
+        static constexpr auto log_motor_each = mw_log_motor_each_##precision;                            \
+        static constexpr auto log_principal_motor_each = mw_log_principal_motor_each_##precision;        \
+        static constexpr auto sqrt_motor_each = mw_sqrt_motor_each_##precision;                          \
+        static constexpr auto power_motor_each = mw_power_motor_each_##precision;                        \
+        static constexpr auto slerp_motor_each = mw_slerp_motor_each_##precision;                        \
+        static constexpr auto slerp_motor_one = mw_slerp_motor_one_##precision;                          \
         static constexpr auto reverse_motor_each = mw_reverse_motor_each_##precision;                    \
         static constexpr auto normalize_motor_each = mw_normalize_motor_each_##precision;                \
         static constexpr auto blend_motor_one = mw_blend_motor_one_##precision;                          \
@@ -67,6 +80,18 @@ struct View {
     {
         const auto &c = component;
         return {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], stride};
+    }
+
+    typename Api<T>::Bivectors bivectors() const
+    {
+        const auto &c = component;
+        return {c[0], c[1], c[2], c[3], c[4], c[5], stride};
+    }
+
+    typename Api<T>::ConstBivectors const_bivectors() const
+    {
+        const auto &c = component;
+        return {c[0], c[1], c[2], c[3], c[4], c[5], stride};
     }
 
     // The same bytes as components of another type.

@@ -100,6 +100,44 @@ TEST(Budget, a_product_of_motors_takes_at_most_48)
     EXPECT_EQ(row("compose_motor_each").divisions, 0);
 }
 
+TEST(Budget, a_product_with_one_factor_fixed_takes_no_more)
+{
+    EXPECT_LE(row("compose_motor_one_first").operations, row("compose_motor_each").operations);
+    EXPECT_LE(row("compose_motor_one_then").operations, row("compose_motor_each").operations);
+    EXPECT_EQ(row("compose_motor_one_first").divisions + row("compose_motor_one_then").divisions, 0);
+}
+
+TEST(Budget, exponentials_and_logarithms)
+{
+    EXPECT_LE(row("exp_motor_each").operations, 60);
+    EXPECT_LE(row("exp_motor_each").divisions, 2);
+    EXPECT_LE(row("log_motor_each_unit").operations, 50);
+    EXPECT_EQ(row("log_motor_each_unit").divisions, 0);
+    EXPECT_LE(row("log_principal_motor_each_unit").operations, 50);
+    EXPECT_LE(row("log_principal_motor_each_unit").divisions, 2);
+}
+
+// Normalising is all that a motor which is not normalised costs more.
+TEST(Budget, a_logarithm_of_any_motor_costs_no_more_than_normalising_it_first)
+{
+    const KernelRow &normalize = row("normalize_motor_each");
+    for (const std::string name : {"log_motor_each", "log_principal_motor_each"}) {
+        EXPECT_LE(row(name).operations, row(name + "_unit").operations + normalize.operations) << name;
+        EXPECT_LE(row(name).divisions, row(name + "_unit").divisions + normalize.divisions) << name;
+    }
+}
+
+TEST(Budget, interpolation_and_powers)
+{
+    EXPECT_LE(row("slerp_motor_each").operations, 220);
+    EXPECT_EQ(row("slerp_motor_each").divisions, 0);
+    EXPECT_LT(row("slerp_motor_one").operations, row("slerp_motor_each").operations);
+    EXPECT_EQ(row("slerp_motor_one").divisions, 0);
+    EXPECT_LE(row("sqrt_motor_each").operations, 18);
+    EXPECT_LE(row("power_motor_each").operations,
+              row("log_motor_each_unit").operations + 6 + row("exp_motor_each").operations);
+}
+
 TEST(Budget, a_term_of_a_blend_takes_8)
 {
     EXPECT_LE(row("blend_motor_one").operations, 8);

@@ -109,6 +109,53 @@ static void check(int holds, const char *what, int line)
 DEFINE_TEST(f32, float, 1e-5f)
 DEFINE_TEST(f64, double, 1e-14)
 
+/* A half turn about e3 is e12, its logarithm ½ π e12, and its root the quarter turn. */
+#define DEFINE_GROUP_TEST(precision, T)                                                                              \
+    static void test_group_##precision(void)                                                                         \
+    {                                                                                                                \
+        const T half_pi = (T)1.57079632679489661923, root = (T)0.70710678118654752440, half = (T)0.5;                \
+        const mw_motor_##precision one = {1, 0, 0, 0, 0, 0, 0, 0}, turn = {0, 1, 0, 0, 0, 0, 0, 0};                  \
+        const mw_const_motors_##precision turns = mw_const_motors_##precision##_aos(&turn, sizeof turn);             \
+        const mw_const_motors_##precision ones = mw_const_motors_##precision##_aos(&one, sizeof one);                \
+        const int32_t parents[2] = {-1, 0};                                                                          \
+        mw_motor_##precision result, locals[2], poses[2];                                                            \
+        T log[6], principal[6];                                                                                      \
+        size_t bad = 7;                                                                                              \
+        const mw_motors_##precision out = mw_motors_##precision##_aos(&result, sizeof result);                       \
+        CHECK(mw_log_motor_each_##precision(mw_bivectors_##precision##_aos(log, sizeof log), turns, 1,               \
+                                            MW_DEFAULT) == MW_OK);                                                   \
+        CHECK(near_##precision(log[0], half_pi) && near_##precision(log[1], 0) && near_##precision(log[3], 0));      \
+        CHECK(mw_log_principal_motor_each_##precision(                                                               \
+                  mw_bivectors_##precision##_aos(principal, sizeof principal), turns, 1, MW_UNIT_MOTORS) == MW_OK);  \
+        CHECK(near_##precision(principal[0], half_pi));                                                              \
+        CHECK(mw_exp_motor_each_##precision(                                                                         \
+                  out, mw_const_bivectors_##precision##_from(                                                        \
+                           mw_const_bivectors_##precision##_aos(log, sizeof log), 0), 1) == MW_OK);                  \
+        CHECK(near_##precision(result.s, 0) && near_##precision(result.b12, 1));                                     \
+        CHECK(mw_sqrt_motor_each_##precision(out, turns, 1) == MW_OK);                                               \
+        CHECK(near_##precision(result.s, root) && near_##precision(result.b12, root));                               \
+        CHECK(mw_power_motor_each_##precision(out, turns, &half, 0, 1) == MW_OK);                                    \
+        CHECK(near_##precision(result.s, root) && near_##precision(result.b12, root));                               \
+        CHECK(mw_slerp_motor_each_##precision(out, ones, turns, &half, sizeof half, 1) == MW_OK);                    \
+        CHECK(near_##precision(result.s, root) && near_##precision(result.b12, root));                               \
+        CHECK(mw_slerp_motor_one_##precision(out, &one, &turn, &half, sizeof half, 1) == MW_OK);                     \
+        CHECK(near_##precision(result.s, root) && near_##precision(result.b12, root));                               \
+        CHECK(mw_inverse_motor_each_##precision(out, turns, 1) == MW_OK);                                            \
+        CHECK(near_##precision(result.s, 0) && near_##precision(result.b12, -1));                                    \
+        CHECK(mw_compose_motor_one_first_##precision(out, &turn, turns, 1) == MW_OK);                                \
+        CHECK(near_##precision(result.s, -1));                                                                       \
+        CHECK(mw_compose_motor_one_then_##precision(out, turns, &turn, 1) == MW_OK);                                 \
+        CHECK(near_##precision(result.s, -1));                                                                       \
+        locals[0] = locals[1] = turn;                                                                                \
+        CHECK(mw_compose_motor_hierarchy_##precision(mw_motors_##precision##_aos(poses, sizeof poses[0]),            \
+                                                     mw_const_motors_##precision##_aos(locals, sizeof locals[0]),    \
+                                                     sizeof locals[0], parents, 2, 1, &bad) == MW_OK);               \
+        CHECK(near_##precision(poses[0].b12, 1) && near_##precision(poses[1].s, -1));                                \
+    }
+
+DEFINE_GROUP_TEST(f32, float)
+DEFINE_GROUP_TEST(f64, double)
+
 /* Every operand in every pairing. Twice the identity leaves an element where it is, and so does whoever picks it. */
 #define ELEMENT 8
 
@@ -236,6 +283,8 @@ int main(void)
     test_motors_f64();
     test_sums_f32();
     test_sums_f64();
+    test_group_f32();
+    test_group_f64();
     MW_OPERANDS(RUN_APPLY_TEST, f32)
     MW_OPERANDS(RUN_APPLY_TEST, f64)
     test_mixed();

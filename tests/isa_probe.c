@@ -1,5 +1,5 @@
-/* Prints the instruction set in use; or, if MOTORWAY_ISA asks for one that cannot run, what a call then returns, and
- * exits with 1. */
+/* Prints the instruction set in use; or, if MOTORWAY_ISA asks for one that cannot run, what calls then return, and
+ * exits with 1. One call of each kind of function. */
 #include <stdio.h>
 
 #include "motorway.h"
@@ -7,12 +7,26 @@
 int main(void)
 {
     mw_motor_f32 motor = {1, 0, 0, 0, 0, 0, 0, 0}, result = {9, 9, 9, 9, 9, 9, 9, 9};
-    const mw_status status = mw_reverse_motor_each_f32(mw_motors_f32_aos(&result, sizeof result),
-                                                       mw_const_motors_f32_aos(&motor, sizeof motor), 1);
+    const mw_motors_f32 out = mw_motors_f32_aos(&result, sizeof result);
+    const mw_const_motors_f32 in = mw_const_motors_f32_aos(&motor, sizeof motor);
+    float bivector[6] = {0, 0, 0, 0, 0, 0}, half = 0.5f;
+    const int32_t parent = -1;
+    const mw_status expected = mw_isa() ? MW_OK : MW_ERROR_ISA;
+    const mw_status statuses[] = {
+        mw_reverse_motor_each_f32(out, in, 1),
+        mw_log_motor_each_f32(mw_bivectors_f32_aos(bivector, sizeof bivector), in, 1, MW_DEFAULT),
+        mw_exp_motor_each_f32(out, mw_const_bivectors_f32_aos(bivector, sizeof bivector), 1),
+        mw_slerp_motor_one_f32(out, &motor, &motor, &half, 0, 1),
+        mw_compose_motor_hierarchy_f32(out, in, sizeof motor, &parent, 1, 1, NULL),
+    };
+    size_t k;
+    for (k = 0; k < sizeof statuses / sizeof statuses[0]; ++k)
+        if (statuses[k] != expected)
+            return 2;
     if (mw_isa()) {
         printf("%s\n", mw_isa());
-        return status == MW_OK && result.s == 1 ? 0 : 2;
+        return result.s == 1 ? 0 : 2;
     }
-    printf("%s\n", mw_status_text(status));
-    return status == MW_ERROR_ISA && result.s == 9 ? 1 : 2;
+    printf("%s\n", mw_status_text(statuses[0]));
+    return result.s == 9 ? 1 : 2;
 }

@@ -10,8 +10,12 @@
 #include "apply_tester.h"
 #include "blend_tester.h"
 #include "compose_tester.h"
+#include "exponential_tester.h"
+#include "inverse_tester.h"
 #include "normalize_tester.h"
+#include "power_tester.h"
 #include "reverse_tester.h"
+#include "slerp_tester.h"
 #include "subject.h"
 
 namespace motorway::testing {

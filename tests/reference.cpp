@@ -1,5 +1,7 @@
 #include "reference.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <stdexcept>
@@ -138,6 +140,46 @@ Element grade(const Element &a, unsigned k)
         if (count_bits(bits) == k)
             part[bits] = a[bits];
     return part;
+}
+
+Motor as_motor(const Bivector &b) { return {Real(0), b[0], b[1], b[2], b[3], b[4], b[5], Real(0)}; }
+
+Bivector bivector_of(const Motor &m) { return {m[1], m[2], m[3], m[4], m[5], m[6]}; }
+
+// Lengths in another unit: a multiple of e∞ takes its place and every product stays. A power of two is exact.
+Motor in_units_of(long double unit, Motor motor)
+{
+    for (std::size_t k = 4; k < 8; ++k)
+        motor[k] = motor[k] * Real(1 / unit);
+    return motor;
+}
+
+// A power of two in whose units the lengths of a motor are so small that what rounding leaves of e∞² is nothing beside
+// any rotation.
+long double large_unit(const Motor &motor)
+{
+    long double largest = 0;
+    for (std::size_t k = 4; k < 8; ++k)
+        largest = std::fmax(largest, std::abs(static_cast<long double>(motor[k])));
+    return largest > 0 ? std::ldexp(1.0L, std::ilogb(largest) + 200) : 1;
+}
+
+// The power series, of the argument halved until it is short; then squared as often.
+Element exp(Element a)
+{
+    long double size = 0;
+    for (unsigned bits = 0; bits < blade_count; ++bits)
+        size += std::abs(static_cast<long double>(a[bits]));
+    const int halvings = size > 0 ? std::max(0, std::ilogb(size) + 6) : 0;
+    a = Element(Real(std::ldexp(1.0L, -halvings))) * a;
+    Element sum(Real(1)), term(Real(1));
+    for (int k = 1; k <= 18; ++k) {  // (1/32)^19 / 19! < 2^-150
+        term = Element(Real(1) / Real(k)) * (term * a);
+        sum = sum + term;
+    }
+    for (int k = 0; k < halvings; ++k)
+        sum = sum * sum;
+    return sum;
 }
 
 Vector3 euclidean(const Element &v, const Real &weight)
@@ -345,6 +387,56 @@ Square square(const Motor &a)
 Real alpha(const Motor &a) { return square(a).alpha; }
 
 Real beta(const Motor &a) { return square(a).beta; }
+
+// X (2 - S X) with X = S̄/α: the error of X is a multiple of ω, whose square is 0.
+Motor inverse(const Motor &a)
+{
+    const Element s = element(a), near = Element(Real(1) / alpha(a)) * reverse(s);
+    return motor(near * (Element(Real(2)) - s * near));
+}
+
+Motor exp(const Bivector &bivector)
+{
+    const long double unit = large_unit(as_motor(bivector));
+    return in_units_of(1 / unit, motor(exp(element(in_units_of(unit, as_motor(bivector))))));
+}
+
+// The error of an approximation X that commutes with S is the logarithm of exp(-X) S, of which the bivector part is
+// all but for the third power. Every multiple of the bivector part of S commutes with S; that by angle over sine
+// lacks no more than the part along the axis.
+Bivector log(const Motor &a, Branch branch)
+{
+    const long double unit = large_unit(a);
+    Motor s = normalize(in_units_of(unit, a));
+    const Real sine = sqrt(s[1] * s[1] + s[2] * s[2] + s[3] * s[3]);
+    if (s[0] < Real(0) && (branch == Branch::shortest || sine == Real(0)))
+        for (Real &component : s)
+            component = -component;
+    const long double angle = std::atan2(static_cast<long double>(sine), static_cast<long double>(s[0]));
+    const Real factor = sine == Real(0) ? Real(1) : Real(angle) / sine;
+    Element x = Element(factor) * element(as_motor(bivector_of(s)));
+    for (int k = 0; k < 3; ++k) {
+        const Motor rest = motor(exp(Element(Real(-1)) * x) * element(s));
+        x = x + element(as_motor(bivector_of(rest)));
+    }
+    return bivector_of(in_units_of(1 / unit, motor(x)));
+}
+
+Bivector multiple(const Real &factor, const Bivector &bivector)
+{
+    Bivector product;
+    for (std::size_t k = 0; k < product.size(); ++k)
+        product[k] = factor * bivector[k];
+    return product;
+}
+
+Motor power(const Motor &a, const Real &exponent) { return exp(multiple(exponent, log(a, Branch::shortest))); }
+
+Motor slerp(const Motor &first, const Motor &second, const Real &parameter)
+{
+    const Motor from = normalize(first);
+    return compose(from, power(compose(reverse(from), normalize(second)), parameter));
+}
 
 Motor product_magnitudes(const Motor &first, const Motor &then)
 {

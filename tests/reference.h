@@ -19,6 +19,7 @@ using Vector3 = std::array<Real, 3>;
 using Motor = std::array<Real, 8>;   // s b12 b13 b23 b1i b2i b3i w: equation (3)
 using Vector5 = std::array<Real, 5>;  // grade 1: e0 e1 e2 e3 e∞
 using Line = std::array<Real, 6>;     // Plücker: the direction d, and the moment p × d of any point p on it
+using Bivector = std::array<Real, 6>;  // b12 b13 b23 b1i b2i b3i
 
 class Element {
 public:
@@ -75,6 +76,16 @@ struct Square {
 Square square(const Motor &motor);
 Real alpha(const Motor &motor);
 Real beta(const Motor &motor);
+
+// The group, from its product alone. A power series and its inverse by iteration know nothing of angles, axes or
+// dual numbers, except that the iteration needs a first guess.
+Motor inverse(const Motor &motor);
+Motor exp(const Bivector &bivector);
+enum class Branch { shortest, principal };  // the logarithm of S or -S with s >= 0, or that of S itself
+Bivector log(const Motor &motor, Branch branch);  // of the motor normalised; where it does not turn always shortest
+Motor power(const Motor &motor, const Real &exponent);                        // by the shortest logarithm
+Motor slerp(const Motor &first, const Motor &second, const Real &parameter);  // likewise
+Bivector multiple(const Real &factor, const Bivector &bivector);
 
 // For each coordinate of the product of two motors the sum of the magnitudes of the products that make it up: what
 // the rounding errors of any way to compute it are relative to.

@@ -7,6 +7,7 @@
 
 #include "motors.h"
 #include "reference.h"
+#include "screws.h"
 
 namespace motorway::reference {
 namespace {
@@ -313,6 +314,94 @@ TEST(Reference, moving_by_a_product_is_moving_by_its_factors)
         expect_close(apply_vector(uv, vector), apply_vector(v, apply_vector(u, vector)), 1e-24L);
         expect_close(apply_line(uv, line), apply_line(v, apply_line(u, line)), 1e-24L);
         expect_close(apply_motor(uv, m), apply_motor(v, apply_motor(u, m)), 1e-24L);
+    }
+}
+
+const Motor one = {Real(1), Real(0), Real(0), Real(0), Real(0), Real(0), Real(0), Real(0)};
+
+// Half the angle of at most 20, as far away as draw_screw goes: sines and cosines are those of long double.
+TEST(Reference, exp_of_a_screw_is_its_rotation_and_then_its_translation)
+{
+    Random random(19);
+    for (int k = 0; k < 100; ++k) {
+        testing::Screw screw = testing::draw_screw(random, random.uniform(0, 20));
+        screw.slide = random.uniform(-3, 3);
+        const Motor expected = testing::motor_of(screw);
+        const long double size = 1 + testing::length_of(expected, 4, 8);
+        expect_close(exp(testing::bivector_of(screw)), expected, 1e-17L * size);
+    }
+}
+
+TEST(Reference, exp_of_translations_and_tiny_rotations_is_1_and_the_bivector)
+{
+    const Bivector step = {Real(0), Real(0), Real(0), Real(1e20L), Real(-0.1L), Real(1e-30L)};
+    expect_close<8>(exp(step), {Real(1), Real(0), Real(0), Real(0), step[3], step[4], step[5], Real(0)}, 1e-100L);
+    const Bivector turn = {Real(1e-30L), Real(0), Real(-2e-30L), Real(1e10L), Real(1), Real(0)};
+    const Motor motor = exp(turn);
+    for (std::size_t k = 0; k < 6; ++k) {
+        const long double size = std::abs(static_cast<long double>(turn[k]));
+        EXPECT_LE(distance(motor[k + 1], turn[k]), 1e-19L * size + 1e-45L) << k;
+    }
+    expect_close(log(motor, Branch::principal), turn, 1e-28L);
+    EXPECT_LE(distance(log(motor, Branch::principal)[0], turn[0]), 1e-55L);
+}
+
+TEST(Reference, exp_of_multiples_are_powers)
+{
+    Random random(20);
+    for (int k = 0; k < 20; ++k) {
+        const Bivector b = log(exact_random_motor(random, Regime::general), Branch::principal);
+        expect_close(compose(exp(b), exp(multiple(Real(2), b))), exp(multiple(Real(3), b)), 1e-27L);
+        expect_close(compose(exp(b), exp(multiple(Real(-1), b))), one, tiny);
+    }
+}
+
+TEST(Reference, log_is_the_inverse_of_exp)
+{
+    Random random(21);
+    for (int k = 0; k < 100; ++k) {
+        Motor s = normalize(exact_random_motor(random, k % 2 ? Regime::general : Regime::scaled_pseudoscalar));
+        for (Real &component : s)
+            component = k % 3 ? component : -component;
+        const Bivector principal = log(s, Branch::principal), shortest = log(s, Branch::shortest);
+        expect_close(exp(principal), s, 1e-27L);
+        const Motor nearer = exp(shortest);
+        EXPECT_GE(static_cast<long double>(nearer[0]), 0);
+        expect_close(compose(nearer, nearer), compose(s, s), 1e-26L);
+        EXPECT_LE(testing::length_of(shortest, 0, 3), testing::pi / 2 * (1 + 1e-15L));
+        EXPECT_LE(testing::length_of(principal, 0, 3), testing::pi * (1 + 1e-15L));
+    }
+    // A quarter of the way round is e12 itself, and four of them are one turn.
+    const Motor e12 = {Real(0), Real(1), Real(0), Real(0), Real(0), Real(0), Real(0), Real(0)};
+    const Bivector quarter = log(e12, Branch::principal);
+    EXPECT_LE(distance(quarter[0], Real(testing::pi / 2)), 1e-18L);
+    expect_close(exp(multiple(Real(4), quarter)), one, tiny);
+}
+
+TEST(Reference, inverse_undoes_any_motor)
+{
+    Random random(22);
+    for (Regime regime : {Regime::scaled_pseudoscalar, Regime::arbitrary, Regime::half_turn}) {
+        const Motor s = exact_random_motor(random, regime);
+        expect_close(compose(s, inverse(s)), one, 1e-26L);
+        expect_close(compose(inverse(s), s), one, 1e-26L);
+    }
+}
+
+TEST(Reference, slerp_goes_from_one_motor_to_the_other_in_equal_steps)
+{
+    Random random(23);
+    for (int k = 0; k < 20; ++k) {
+        const Motor first = normalize(exact_random_motor(random, Regime::general));
+        const Motor second = normalize(exact_random_motor(random, Regime::general));
+        expect_close(slerp(first, second, Real(0)), first, 1e-27L);
+        const Motor last = slerp(first, second, Real(1));
+        expect_close(compose(last, last), compose(second, second), 1e-25L);  // second or -second
+        const Motor middle = slerp(first, second, Real(0.5L));
+        expect_close(slerp(first, middle, Real(0.5L)), slerp(first, second, Real(0.25L)), 1e-26L);
+        // From the other end it is the same pose, or -1 times it.
+        const Motor back = compose(slerp(second, first, Real(0.5L)), inverse(middle));
+        expect_close(compose(back, back), one, 1e-25L);
     }
 }
 

@@ -3,6 +3,7 @@
 #ifndef MOTORWAY_TESTS_SUBJECT_H
 #define MOTORWAY_TESTS_SUBJECT_H
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -17,8 +18,8 @@
 namespace motorway::testing {
 
 // By the views that the API takes them in. The index of an element's motor is drawn as a number, and the subject
-// makes an array of indices of it.
-enum class Operand { xyz, xyzw, vertices, vectors, lines, motors, weights, indices };
+// makes an array of indices of it. Numbers are an array of exponents or parameters.
+enum class Operand { xyz, xyzw, vertices, vectors, lines, motors, bivectors, weights, numbers, indices };
 
 // Of one element; of weights there are as many as a blend has terms.
 constexpr std::size_t components_of(Operand operand)
@@ -30,6 +31,7 @@ constexpr std::size_t components_of(Operand operand)
     case Operand::vectors: return 5;
     case Operand::lines: return 6;
     case Operand::motors: return 8;
+    case Operand::bivectors: return 6;
     default: return 1;
     }
 }
@@ -39,6 +41,15 @@ struct Expected {
     std::vector<reference::Real> value;
     std::vector<long double> tolerance;
 };
+
+// Motors and bivectors have their rotation in the first half and their translation in the second.
+template <std::size_t N>
+Expected expect_parts(const std::array<reference::Real, N> &value, long double rotation, long double translation)
+{
+    Expected expected{{value.begin(), value.end()}, std::vector<long double>(N, rotation)};
+    std::fill(expected.tolerance.begin() + N / 2, expected.tolerance.end(), translation);
+    return expected;
+}
 
 template <class T>
 class Subject {
@@ -108,6 +119,8 @@ std::array<reference::Real, N> exact_numbers(const T *components)
 
 template <class T>
 reference::Motor exact_motor(const T *components) { return exact_numbers<8>(components); }
+template <class T>
+reference::Bivector exact_bivector(const T *components) { return exact_numbers<6>(components); }
 template <class T>
 reference::Vector3 exact_vector(const T *components) { return exact_numbers<3>(components); }
 

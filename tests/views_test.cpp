@@ -63,7 +63,8 @@ void expect_views(V (*aos)(Element *, std::size_t), V (*soa)(T *const *), V (*fr
     MOTORWAY_TEST_VIEW(xyzw, P, scalar_##P, _soa)                                                                    \
     MOTORWAY_TEST_VIEW(vectors, P, scalar_##P, _soa)                                                                 \
     MOTORWAY_TEST_VIEW(lines, P, scalar_##P, _soa)                                                                   \
-    MOTORWAY_TEST_VIEW(motors, P, mw_motor_##P, _soa)
+    MOTORWAY_TEST_VIEW(motors, P, mw_motor_##P, _soa)                                                                \
+    MOTORWAY_TEST_VIEW(bivectors, P, scalar_##P, _soa)
 
 TEST(Views, of_f32_point_to_their_components) { MOTORWAY_TEST_VIEWS(f32) }
 TEST(Views, of_f64_point_to_their_components) { MOTORWAY_TEST_VIEWS(f64) }
