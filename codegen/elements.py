@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable, List, Tuple
+from typing import Callable, Dict, List, Tuple
 
-from algebra import Multivector, e
+from algebra import Multivector, e, multivector
 
 
 @dataclass(frozen=True)
@@ -38,10 +38,34 @@ class Element:
             parts[blade] = coefficient(component[0]) if sign > 0 else -coefficient(component[0])
         return Multivector({**dict(self.constant), **parts})
 
-    def coefficients(self, value: Multivector) -> List[object]:
+    def coefficients(self, value) -> List[object]:
         """The components of a multivector, in order."""
+        value = multivector(value)
         signed = map(signed_blade, self.components)
         return [value[blade] if sign > 0 else -value[blade] for blade, sign in signed]
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """An ordered list of numbers that are no coefficients of the algebra, in formulas a dictionary by their names."""
+
+    name: str
+    names: Tuple[str, ...]
+    meaning: str = ""
+
+    @property
+    def size(self) -> int:
+        return len(self.names)
+
+    @property
+    def components(self) -> Tuple[Tuple[str, str], ...]:
+        return tuple((name, "") for name in self.names)
+
+    def multivector(self, coefficient: Callable[[str], object]) -> Dict[str, object]:
+        return {name: coefficient(name) for name in self.names}
+
+    def coefficients(self, value: Dict[str, object]) -> List[object]:
+        return [value[name] for name in self.names]
 
 
 def signed_blade(component: Tuple[str, str]) -> Tuple[str, int]:
@@ -89,5 +113,29 @@ BIVECTOR = Element(
     MOTOR.components[1:7],
     meaning="the generator of a motor: its logarithm; a twist, or a wrench",
 )
+
+
+
+def numbers(name: str, names: str, meaning: str) -> Numbers:
+    return Numbers(name, tuple(names.split()), meaning)
+
+
+def matrix(name: str, order: Tuple[Tuple[int, int], ...]) -> Numbers:
+    return Numbers(name, tuple(f"m{row}{column}" for row, column in order), "R and t, where p' = R p + t")
+
+
+QUATERNION = numbers("quaternion", "x y z w", "w + (x e1 + y e2 + z e3) e123")
+QUATERNION_WXYZ = numbers("quaternion_wxyz", "w x y z", QUATERNION.meaning)
+DUAL_QUATERNION = numbers("dual_quaternion", "rx ry rz rw dx dy dz dw", "r + εd with d = ½ t r")
+DUAL_QUATERNION_WXYZ = numbers("dual_quaternion_wxyz", "rw rx ry rz dw dx dy dz", DUAL_QUATERNION.meaning)
+ANGLES = numbers("angles", "x y z", "the first, second and third Euler angle")
+EULER_AXES = numbers("axes", "x0 y0 z0 x1 y1 z1 x2 y2 z2", "the axes of the three rotations")
+SIGN = numbers("sign", "sign", "of the angles")
+SCALE = numbers("scale", "scale", "the unit of length")
+SCREW = numbers("screw", "ax ay az px py pz angle distance", "axis, point on it, angle about it, way along it")
+ROWS_3X4 = matrix("rows_3x4", tuple((r, c) for r in range(3) for c in range(4)))
+ROWS_4X4 = matrix("rows_4x4", tuple((r, c) for r in range(4) for c in range(4)))
+COLUMNS_3X4 = matrix("columns_3x4", tuple((r, c) for c in range(4) for r in range(3)))
+COLUMNS_4X4 = matrix("columns_4x4", tuple((r, c) for c in range(4) for r in range(4)))
 
 ELEMENTS = (MOTOR, POINT, DIRECTION, TANGENT, VECTOR, LINE, BIVECTOR)

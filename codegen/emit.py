@@ -73,7 +73,10 @@ class Writer:
 
 def constant_names(plan: Plan) -> List[str]:
     """Names of what the prologue hands to the body."""
-    return [plan.names.get(c, c.name) for c in plan.constants]
+    names = [plan.names.get(c, c.name) for c in plan.constants]
+    if not all(names):
+        raise ValueError("what the prologue hands to the body needs a name: let(...)")
+    return names
 
 
 def number(value: Fraction) -> str:

@@ -26,7 +26,7 @@ try:
 except ModuleNotFoundError:
     sys.exit("generate.py needs jinja2: install it (Debian: apt-get install python3-jinja2) for this python3")
 
-from algebra import BLADES, METRIC, Multivector, blade_product, blade_reverse, e, multivector
+from algebra import BLADES, METRIC, Multivector, blade_product, blade_reverse, e
 from approximate import MANTISSA_BITS, REAL_NUMBERS, TABLE, error_bound, literal, polynomial
 from elements import MOTOR, VECTOR
 from emit import WIDTH, Writer, constant_names
@@ -90,7 +90,7 @@ def build_form(kernel: Kernel, name: str, formula) -> Form:
         return Multivector({blade: named(name + blade, node(part)) for blade, part in value.parts.items()})
 
     results = as_tuple(formula(*[i.multivector(symbol) for i in kernel.inputs], let))
-    pairs = zip(kernel.outputs, map(multivector, results))
+    pairs = zip(kernel.outputs, results)
     return Form(name, tuple(node(c) for output, result in pairs for c in output.coefficients(result)))
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Dict, Iterator, List, Tuple
 
-from algebra import multivector
 from kernels import Kernel, as_tuple
 
 # Rotation parts (s, b12, b13, b23) whose squares sum to a square, so that a normalised motor is rational: the
@@ -60,7 +59,7 @@ def evaluate(kernel: Kernel, values: Dict[str, Fraction]) -> List[Fraction]:
     _, definition = kernel.forms[0]
     operands = [i.multivector(values.__getitem__) for i in kernel.inputs]
     results = as_tuple(definition(*operands, lambda name, value: value))
-    outputs = [Fraction(c) for o, r in zip(kernel.outputs, results) for c in o.coefficients(multivector(r))]
+    outputs = [Fraction(c) for o, r in zip(kernel.outputs, results) for c in o.coefficients(r)]
     if any(max(abs(o.numerator), o.denominator) > LARGEST_EXACT for o in outputs):
         raise ValueError(f"{kernel.name}: a golden result is not exact in double")
     return outputs

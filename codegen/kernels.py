@@ -8,11 +8,52 @@ The formulas are in formulas.py.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Callable, Mapping, Tuple, Union
 
 from algebra import Multivector
-from elements import BIVECTOR, DIRECTION, LINE, MOTOR, POINT, TANGENT, VECTOR, Element
+from conversions import (
+    axis_angle_to_motor,
+    dual_quaternion_to_motor,
+    euler_to_motor,
+    matrix_to_motor,
+    motor_to_axis_angle,
+    motor_to_dual_quaternion,
+    motor_to_euler,
+    motor_to_euler_proper,
+    motor_to_matrix,
+    motor_to_pose,
+    motor_to_screw,
+    motor_to_translation,
+    pose_to_motor,
+    rotor_to_motor,
+    screw_to_motor,
+    translation_to_motor,
+)
+from elements import (
+    ANGLES,
+    BIVECTOR,
+    COLUMNS_3X4,
+    COLUMNS_4X4,
+    DIRECTION,
+    DUAL_QUATERNION,
+    DUAL_QUATERNION_WXYZ,
+    EULER_AXES,
+    LINE,
+    MOTOR,
+    POINT,
+    QUATERNION,
+    QUATERNION_WXYZ,
+    ROWS_3X4,
+    ROWS_4X4,
+    SCALE,
+    SCREW,
+    SIGN,
+    TANGENT,
+    VECTOR,
+    Element,
+    Numbers,
+)
 from formulas import (
     LINE_FORMS,
     LINE_UNIT_FORMS,
@@ -36,9 +77,12 @@ from motor_group import (
     inverse,
     log_principal,
     log_shortest,
-    of_any_motor,
+    nlerp,
+    normalized,
     power,
+    ratio,
     slerp,
+    slerp_long,
     square_root,
 )
 from polynomial import Polynomial, Quotient, variables
@@ -51,14 +95,15 @@ class Input:
     """One operand: its name in the formula, its element type, and the prefix of its components in code."""
 
     name: str
-    element: Element
+    element: Union[Element, Numbers]
     prefix: str = ""
 
     @property
     def symbols(self) -> Tuple[str, ...]:
         return tuple(self.prefix + component for component, _ in self.element.components)
 
-    def multivector(self, coefficient: Callable[[str], object]) -> Multivector:
+    def multivector(self, coefficient: Callable[[str], object]):
+        """The operand as a formula takes it: of numbers a dictionary."""
         return self.element.multivector(lambda component: coefficient(self.prefix + component))
 
 
@@ -81,7 +126,7 @@ class Kernel:
     formula: str  # for people
     source: str
     inputs: Tuple[Input, ...]
-    outputs: Tuple[Element, ...]
+    outputs: Tuple[Union[Element, Numbers], ...]
     pairings: Tuple[Pairing, ...]
     forms: Tuple[Tuple[str, Formula], ...]  # the first is the definition
     # The variant for callers who promise S̄S = 1: its forms, and what the promise means for the symbols.
@@ -114,6 +159,7 @@ SHIFT = ("before", "after")
 SHIFTED_PAIRINGS = tuple(Pairing(p.name, p.fixed + SHIFT, p.like) for p in APPLY_PAIRINGS)
 SHARED_CONTROLS = Pairing("one")  # blending accumulates term by term, so nothing is left for a prologue
 
+TRANSLATION = replace(DIRECTION, name="translation")
 SCALAR = Element("weight", (("weight", ""),), meaning="a real number")
 SHIFTED_FORMS = (
     ("sandwich", shifted_form(point_sandwich)),
@@ -133,6 +179,86 @@ def apply_kernel(operand, formula, source, inputs, forms, unit_forms) -> Kernel:
     inputs = (Input("motor", MOTOR),) + inputs
     return Kernel("apply", operand, formula, source, inputs, outputs, APPLY_PAIRINGS, forms, unit_forms, UNIT)
 
+
+
+
+def interpolation_kernel(verb, formula, source, form) -> Kernel:
+    inputs = (Input("first", MOTOR, "f_"), Input("second", MOTOR, "s_"), Input("parameter", SCALAR))
+    pairings = (EACH, Pairing("one", fixed=("first", "second")))
+    forms = (("weights" if verb == "slerp" else "closed", form),)
+    return Kernel(verb, "motor", formula, source, inputs, (MOTOR,), pairings, forms, is_rational=False)
+
+
+def conversion(operand, elements, outputs, form, formula, fixed=(), is_rational=True) -> Kernel:
+    """From `elements`, of which those of `fixed` are the same for all."""
+    inputs = tuple(Input(i.name, i, "t" if i is TRANSLATION else "") for i in elements)
+    pairings = (Pairing("each", fixed=tuple(i.name for i in fixed)),)
+    source = "Hunt et al. (2017), lemmas 3.10 and 3.11"
+    return Kernel(
+        "convert", operand, formula, source, inputs, outputs, pairings, (("closed", form),), is_rational=is_rational
+    )
+
+
+OF_QUATERNION = "S = (w + (x e1 + y e2 + z e3) e123) (1 + ½ t e∞)"
+OF_DUAL_QUATERNION = "S = r + ideal(d): r = (b23, -b13, b12; s), d = (b1i, b2i, b3i; -w)"
+OF_MATRIX = "p' = R p + t"
+OF_EULER = "S = R3 R2 R1 (1 + ½ t e∞)"
+OF_SCREW = "S = (cos θ/2 + sin θ/2 (b + (b∧p) e∞)) (1 + ½ d a e∞), b = a e123"
+
+CONVERSIONS: Tuple[Kernel, ...] = (
+    *(
+        kernel
+        for order, quaternion in (("", QUATERNION), ("_wxyz", QUATERNION_WXYZ))
+        for kernel in (
+            conversion(f"motor_to_pose{order}", (MOTOR,), (quaternion, DIRECTION), motor_to_pose, OF_QUATERNION),
+            conversion(f"pose{order}_to_motor", (quaternion, TRANSLATION), (MOTOR,), pose_to_motor, OF_QUATERNION),
+        )
+    ),
+    *(
+        kernel
+        for order, dual in (("", DUAL_QUATERNION), ("_wxyz", DUAL_QUATERNION_WXYZ))
+        for kernel in (
+            conversion(
+                f"motor_to_dual_quaternion{order}", (MOTOR,), (dual,), motor_to_dual_quaternion, OF_DUAL_QUATERNION
+            ),
+            conversion(
+                f"dual_quaternion{order}_to_motor", (dual,), (MOTOR,), dual_quaternion_to_motor, OF_DUAL_QUATERNION
+            ),
+        )
+    ),
+    *(
+        conversion(f"motor_to_{matrix.name}", (MOTOR,), (matrix,), motor_to_matrix, OF_MATRIX)
+        for matrix in (ROWS_3X4, ROWS_4X4, COLUMNS_3X4, COLUMNS_4X4)
+    ),
+    *(
+        conversion(f"{matrix.name}_to_motor", (matrix,), (MOTOR,), matrix_to_motor, OF_MATRIX, is_rational=False)
+        for matrix in (ROWS_3X4, COLUMNS_3X4, COLUMNS_4X4)
+    ),
+    conversion(
+        "motor_to_axis_angle", (MOTOR,), (QUATERNION, DIRECTION), motor_to_axis_angle, OF_QUATERNION, is_rational=False
+    ),
+    conversion(
+        "axis_angle_to_motor", (QUATERNION, TRANSLATION), (MOTOR,), axis_angle_to_motor, OF_QUATERNION, is_rational=False
+    ),
+    conversion(
+        "motor_to_euler", (EULER_AXES, SIGN, MOTOR), (ANGLES, DIRECTION), motor_to_euler, OF_EULER,
+        fixed=(EULER_AXES, SIGN), is_rational=False,
+    ),
+    conversion(
+        "motor_to_euler_proper", (EULER_AXES, SIGN, MOTOR), (ANGLES, DIRECTION), motor_to_euler_proper, OF_EULER,
+        fixed=(EULER_AXES, SIGN), is_rational=False,
+    ),
+    conversion(
+        "euler_to_motor", (EULER_AXES, ANGLES, TRANSLATION), (MOTOR,), euler_to_motor, OF_EULER,
+        fixed=(EULER_AXES,), is_rational=False,
+    ),
+    conversion("translation_to_motor", (TRANSLATION,), (MOTOR,), translation_to_motor, "1 + ½ t e∞"),
+    conversion("motor_to_translation", (MOTOR,), (DIRECTION,), motor_to_translation, "P(S̄ e0 S) / α"),
+    conversion("motor_to_screw", (MOTOR,), (SCREW,), motor_to_screw, OF_SCREW, is_rational=False),
+    conversion("screw_to_motor", (SCREW,), (MOTOR,), screw_to_motor, OF_SCREW, is_rational=False),
+    conversion("rotor_to_motor", (SCALE, MOTOR), (MOTOR,), rotor_to_motor, "the reverse, lengths in other units",
+               fixed=(SCALE,)),
+)
 
 KERNELS: Tuple[Kernel, ...] = (
     apply_kernel(
@@ -203,6 +329,14 @@ KERNELS: Tuple[Kernel, ...] = (
         each_form(motor_form, LINE_FORMS),
         each_form(motor_form, LINE_UNIT_FORMS),
     ),
+    apply_kernel(
+        "bivector",
+        "S^-1 B S with S^-1 = S̄ / (S̄S)",
+        "Hunt et al. (2017), section 3, lemmas 3.4 and 3.5; the adjoint action",
+        (Input("bivector", BIVECTOR, "b_"),),
+        LINE_FORMS,
+        LINE_UNIT_FORMS,
+    ),
     Kernel(
         "compose",
         "motor",
@@ -272,7 +406,7 @@ KERNELS: Tuple[Kernel, ...] = (
         (Input("motor", MOTOR),),
         (BIVECTOR,),
         (EACH,),
-        (("dual", of_any_motor(log_shortest)),),
+        (("dual", normalized(log_shortest)),),
         (("dual", log_shortest),),
         UNIT,
         is_rational=False,
@@ -285,7 +419,7 @@ KERNELS: Tuple[Kernel, ...] = (
         (Input("motor", MOTOR),),
         (BIVECTOR,),
         (EACH,),
-        (("dual", of_any_motor(log_principal)),),
+        (("dual", normalized(log_principal)),),
         (("dual", log_principal),),
         UNIT,
         is_rational=False,
@@ -313,14 +447,39 @@ KERNELS: Tuple[Kernel, ...] = (
         is_rational=False,
     ),
     Kernel(
-        "slerp",
+        "ratio",
         "motor",
+        "from^-1 to, with from^-1 = its reverse / (its product with it)",
+        "Hunt et al. (2017), lemma 3.4; Wareham and Lasenby, section 3.1",
+        (Input("from", MOTOR, "f_"), Input("to", MOTOR, "t_")),
+        (MOTOR,),
+        (EACH,),
+        (("inverse", ratio),),
+        (("reverse", lambda first, second, let: ~first * second),),
+    ),
+    interpolation_kernel(
+        "slerp",
         "S0 (S0^-1 S1)^t, the short way; both normalised",
         "Wareham and Lasenby, section 3.1; Shoemake, in dual numbers",
-        (Input("first", MOTOR, "f_"), Input("second", MOTOR, "s_"), Input("parameter", SCALAR)),
-        (MOTOR,),
-        (EACH, Pairing("one", fixed=("first", "second"))),
-        (("weights", slerp),),
-        is_rational=False,
+        slerp,
     ),
+    interpolation_kernel(
+        "slerp_long",
+        "S0 (S0^-1 S1)^t, the long way; both normalised",
+        "Wareham and Lasenby, section 3.1",
+        slerp_long,
+    ),
+    interpolation_kernel(
+        "nlerp",
+        "N = (1-t) S0 + t S1, the short way, over √(N̄N)",
+        "the lecture notes' method 1; Hunt et al. (2017), equation (5)",
+        nlerp(1),
+    ),
+    interpolation_kernel(
+        "nlerp_long",
+        "N = (1-t) S0 + t S1, the long way, over √(N̄N)",
+        "the lecture notes' method 1; Hunt et al. (2017), equation (5)",
+        nlerp(-1),
+    ),
+    *CONVERSIONS,
 )

@@ -77,29 +77,33 @@ def log_shortest(S, let):
     return (dual(let("f", f), g) * S.only(BIVECTOR.blades)).only(BIVECTOR.blades)
 
 
-def log_principal(S, let):
-    """The logarithm of S itself, which turns by less than a full turn: for s < 0, f(s) = π/√(1-s²) - f(-s)."""
-    z, f = log_parts(S, let)
+def turn_over_angle(S, let):
+    """π/√(1-s²), and its 1/√(1-s²); 0 where that is lost to rounding."""
     square = let("square", S["12"] * S["12"] + S["13"] * S["13"] + S["23"] * S["23"])
     near = let("near", root(square))
     rough = let("rough", function("if_less", SMALLEST_ANGLE, near, 1 / near, 0))
     # One step of Newton's, for an inverse of |b| that is right to half an ulp.
     i = let("i", rough + let("half_rough", rough / 2) * let("off", 1 - let("scaled", square * rough) * rough))
-    pi_over = let("pi_over", i * precise("pi") + i * precise("pi_rest"))
-    turn = let("turn", function("if_less", S[""], 0, pi_over, 0))
-    slope = let("slope", function("arc_slope", z) - let("bend", turn * function("magnitude", S[""])) * let("ii", i * i))
-    g = let("g", slope * S[OMEGA])
+    return let("pi_over", i * precise("pi") + i * precise("pi_rest")), i
+
+
+def long_slope(S, z, turn, i, let):
+    """df/ds where f(s) = turn - f(|s|), turn = π/√(1-s²) or 0."""
+    return let("slope", function("arc_slope", z) - let("bend", turn * function("magnitude", S[""])) * let("ii", i * i))
+
+
+def log_principal(S, let):
+    """The logarithm of S itself, which turns by less than a full turn: for s < 0, f(s) = π/√(1-s²) - f(-s)."""
+    z, f = log_parts(S, let)
+    full, i = turn_over_angle(S, let)
+    turn = let("turn", function("if_less", S[""], 0, full, 0))
+    g = let("g", long_slope(S, z, turn, i, let) * S[OMEGA])
     return (dual(let("f", f + turn), g) * S.only(BIVECTOR.blades)).only(BIVECTOR.blades)
 
 
-def of_any_motor(form):
+def normalized(form):
     """The same of a motor that need not be normalised."""
-
-    def normalized(S, let):
-        N = normalize_reciprocal(S, let)
-        return form(Multivector({blade: let("n" + (blade or "s"), c) for blade, c in N.parts.items()}), let)
-
-    return normalized
+    return lambda S, let: form(let("n", normalize_reciprocal(S, let)), let)
 
 
 def square_root(S, let):
@@ -108,8 +112,7 @@ def square_root(S, let):
     r = let("r", 1 / root(a + a))
     c = let("c", function("with_sign", r, S[""]))
     q = let("q", S[OMEGA] * let("rc", r * c))
-    b = S.only(BIVECTOR.blades)
-    turned = Multivector({blade: let(f"t{blade}", part) for blade, part in (dual(1, -q) * b).only(BIVECTOR.blades).parts.items()})
+    turned = let("t", (dual(1, -q) * S.only(BIVECTOR.blades)).only(BIVECTOR.blades))
     return dual(a * r, let("half_w", S[OMEGA] / 2) * c) + c * turned
 
 
@@ -141,11 +144,46 @@ def slerp(first, second, t, let):
     return dual(*p) * first + dual(*q) * second
 
 
+def log_long(S, let):
+    """The logarithm of S or of -S, whichever turns by no less than a half turn; the shortest of a translation."""
+    z = let("z", 1 - function("magnitude", S[""]))
+    full, i = turn_over_angle(S, let)
+    f = let("f", function("with_sign", 1, S[""]) * let("missing", function("arc", z) - full))
+    g = let("g", long_slope(S, z, full, i, let) * S[OMEGA])
+    return (dual(f, g) * S.only(BIVECTOR.blades)).only(BIVECTOR.blades)
+
+
+def slerp_long(first, second, t, let):
+    """first exp(t log(first^-1 second)), of the logarithm that goes the long way."""
+    between = let("b", ~first * second)
+    return first * let("p", exp_multiple(log_long(between, let), t[""], let))
+
+
+def exp_multiple(B, factor, let):
+    """exp(factor B)."""
+    scaled = let("l", factor * let("g", B))
+    return exp_bivector(scaled, lambda name, value: let(f"e_{name}", value))
+
+
+def nlerp(way):
+    """(1-t) first ± t second, normalised: with way 1 the sign of the short way, with way -1 of the long."""
+
+    def form(first, second, t, let):
+        s = let("s", sum(first[blade] * second[blade] for blade in ("", "12", "13", "23")))
+        signed = let("signed_t", t[""] * let("sign", function("with_sign", 1, s)))
+        return normalize_reciprocal(let("n", let("u", 1 - t[""]) * first + way * signed * second), let)
+
+    return form
+
+
 def power(S, exponent, let):
     """S^t = exp(t log S), by the shortest logarithm."""
-    B = log_shortest(S, let)
-    scaled = Multivector({blade: let(f"l{blade}", exponent[""] * let(f"g{blade}", c)) for blade, c in B.parts.items()})
-    return exp_bivector(scaled, lambda name, value: let(f"e_{name}", value))
+    return exp_multiple(log_shortest(S, let), exponent[""], let)
+
+
+def ratio(first, second, let):
+    """first^-1 second."""
+    return let("i", reverse_over(first, let)) * second
 
 
 def inverse(S, let):

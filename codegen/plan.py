@@ -31,15 +31,23 @@ def operations_of(op: str, precision: str) -> int:
     return 1 if op in ARITHMETIC else STEPS.get(op, 0)
 
 
-@dataclass(frozen=True)
 class Operation:
-    """One operation, an input (`op` is "input") or a number ("constant": a value, or the name of a real number)."""
+    """One operation, an input (`op` is "input") or a number ("constant": a value, or the name of a real number).
 
-    op: str
-    operands: Tuple["Operation", ...] = ()
-    name: str = ""
-    value: Fraction = Fraction(0)
-    in_body: bool = False
+    Equal operations are one object, so that comparing them does not compare all that they depend on.
+    """
+
+    __slots__ = ("op", "operands", "name", "value", "in_body")
+    _made: Dict[tuple, "Operation"] = {}
+
+    def __new__(cls, op: str, operands: Tuple["Operation", ...] = (), name: str = "", value: Fraction = Fraction(0),
+                in_body: bool = False):
+        key = (op, operands, name, value, in_body)
+        made = cls._made.get(key)
+        if made is None:
+            made = cls._made[key] = super().__new__(cls)
+            made.op, made.operands, made.name, made.value, made.in_body = key
+        return made
 
     @property
     def counted(self) -> bool:

@@ -198,6 +198,12 @@ const char *mw_status_text(mw_status status)
         return "knots must be finite, must not decrease, may be repeated degree + 1 times at most, and must span a domain";
     case MW_ERROR_PARAMETER: return "a parameter is outside the domain of the motion, or NaN";
     case MW_ERROR_PARENT: return "the parent of a joint must come before it, or be negative for a root";
+    case MW_ERROR_MATRIX:
+        return "a matrix is no rotation and translation: it is not orthonormal within the tolerance, reflects, or is not "
+               "finite; MW_NEAREST_ROTATION takes the rotation nearest to it";
+    case MW_ERROR_MATRIX_LAYOUT: return "a matrix layout is one of mw_matrix_layout";
+    case MW_ERROR_EULER_ORDER: return "an order of Euler angles is one of mw_euler_order";
+    case MW_ERROR_SCALE: return "a length scale must be finite and not zero, and its inverse too";
     case MW_ERROR_TERM_COUNT: return "a blend of separate control arrays has at most 256 terms";
     case MW_ERROR_ISA: return isa_error();
     }

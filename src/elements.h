@@ -51,6 +51,14 @@ template <class T, int N, int Parts> struct elements {
     {                                                                                                                 \
         return {{{{v.dx, v.dy, v.dz, v.mx, v.my, v.mz}, v.stride}}};                                                  \
     }                                                                                                                 \
+    inline elements<T, 6, 1> elements_of(const mw_bivectors_##P &v)                                                   \
+    {                                                                                                                 \
+        return {{{{v.b12, v.b13, v.b23, v.b1i, v.b2i, v.b3i}, v.stride}}};                                            \
+    }                                                                                                                 \
+    inline elements<const T, 6, 1> elements_of(const mw_const_bivectors_##P &v)                                       \
+    {                                                                                                                 \
+        return {{{{v.b12, v.b13, v.b23, v.b1i, v.b2i, v.b3i}, v.stride}}};                                            \
+    }                                                                                                                 \
     inline elements<T, 8, 1> elements_of(const mw_motors_##P &v) { return {{view_of_motors<T>(v)}}; }                 \
     inline elements<const T, 8, 1> elements_of(const mw_const_motors_##P &v)                                          \
     {                                                                                                                 \

@@ -1,10 +1,7 @@
 // The group of motors: compose, invert, exp, log, powers, slerp. Validate, look up, call, return a status.
 #include "grid.h"
-#include "kernel_call.h"
 #include "motorway.h"
-
-#include <algorithm>
-#include <tuple>
+#include "stream_calls.h"
 
 namespace motorway {
 namespace {
@@ -14,94 +11,35 @@ template <class T, class Bivectors> view<T, 6> view_of_bivectors(const Bivectors
     return {{v.b12, v.b13, v.b23, v.b1i, v.b2i, v.b3i}, v.stride};
 }
 
-// One number an element, or with stride 0 one for all.
-template <class T> struct numbers {
-    const T *first;
-    std::size_t stride;
+// A kernel, or one of two by a flag.
+struct kernel_choice {
+    kernel_id id;
+    bool flags_known = true;
 
-    view<const T, 1> as_view() const { return {{first}, stride}; }
+    kernel_choice(kernel_id only) : id(only) {}
+    kernel_choice(kernel_id usual, kernel_id flagged, unsigned flag, unsigned flags)
+        : id(flags & flag ? flagged : usual), flags_known(!(flags & ~flag))
+    {
+    }
 };
 
-// ---------------------------------------------------------------------------------------------------- validation
-
-template <class T, int N> mw_status check_input(const view<const T, N> &in, std::size_t count)
-{
-    return check_view(in, count);
-}
-template <class T> mw_status check_input(const numbers<T> &in, std::size_t count)
-{
-    return in.stride == 0 ? check_array(in.first, 1) : check_view(in.as_view(), count);
-}
-
-template <class T, int N, int M>
-mw_status check_apart(const view<T, N> &out, const view<const T, M> &in, std::size_t count)
-{
-    return check_overlap(out, in, count);
-}
-template <class T, int N> mw_status check_apart(const view<T, N> &out, const numbers<T> &in, std::size_t count)
-{
-    return in.stride == 0 ? check_overlap(out, in.first, 1, count) : check_overlap(out, in.as_view(), count);
-}
-
-template <class T, int N> view<const T, N> view_of_input(const view<const T, N> &in) { return in; }
-template <class T> view<const T, 1> view_of_input(const numbers<T> &in) { return in.as_view(); }
-
-template <class T, int N, int M>
-bool is_usual_input(const view<T, N> &out, const byte_range &range, const view<const T, M> &in, std::size_t count)
-{
-    return is_usual(out, range, in, count);
-}
-template <class T, int N>
-bool is_usual_input(const view<T, N> &out, const byte_range &range, const numbers<T> &in, std::size_t count)
-{
-    return in.stride != 0 && is_usual(out, range, in.as_view(), count);
-}
-
-// ---------------------------------------------------------------------------------------------------------- calls
-
-// A kernel of element streams, whose fixed motors are `fixed` if there are any.
 template <class T, int N, class... Inputs>
-mw_status run_streams(kernel_id id, const T *fixed, const view<T, N> &out, std::size_t count, const Inputs &...in)
+mw_status motors_each(const kernel_choice &kernel, std::size_t count, const view<T, N> &out, const Inputs &...in)
 {
-    const byte_range range = usual_range(out, count);
-    if (!(is_usual_input(out, range, in, count) && ...)) {
-        mw_status status = check_view(out, count);
-        ((status = status != MW_OK ? status : check_input(in, count)), ...);
-        ((status = status != MW_OK ? status : check_apart(out, in, count)), ...);
-        if (status != MW_OK)
-            return status;
-    }
-    const auto views = std::make_tuple(view_of_input(in)...);
-    return std::apply(
-        [&](const auto &...each) {
-            const stream<T> to = out.as_stream();
-            const stream<const T> from[] = {each.as_stream()...};
-            call<T> arguments;
-            arguments.out = &to;
-            arguments.in = from;
-            arguments.count = count;
-            arguments.fixed = fixed;
-            find<T>(*kernels(), id)(arguments);
-            return MW_OK;
-        },
-        views);
-}
-
-template <class T, int N, class... Inputs>
-mw_status motors_each(kernel_id id, std::size_t count, const view<T, N> &out, const Inputs &...in)
-{
-    if (!kernels())
-        return MW_ERROR_ISA;
-    return count == 0 ? MW_OK : run_streams(id, static_cast<const T *>(nullptr), out, count, in...);
+    if (kernels() && !kernel.flags_known)
+        return MW_ERROR_FLAGS;
+    return run_streams(kernel.id, static_cast<const T *>(nullptr), to(out), count, in...);
 }
 
 // With one or two motors that all elements share. They are copied: a kernel takes them side by side.
 template <class T, int N, class Motor, class... Inputs>
-mw_status motors_shared(kernel_id id, std::size_t count, const view<T, N> &out, const Motor *first,
+mw_status motors_shared(const kernel_choice &kernel, std::size_t count, const view<T, N> &out, const Motor *first,
                         const Motor *second, const Inputs &...in)
 {
     if (!kernels())
         return MW_ERROR_ISA;
+    if (!kernel.flags_known)
+        return MW_ERROR_FLAGS;
     if (count == 0)
         return MW_OK;
     if (!first || !second)
@@ -114,16 +52,7 @@ mw_status motors_shared(kernel_id id, std::size_t count, const view<T, N> &out, 
     T fixed[16];
     std::copy_n(numbers_of<T>(first), 8, fixed);
     std::copy_n(numbers_of<T>(second), 8, fixed + 8);
-    return run_streams(id, static_cast<const T *>(fixed), out, count, in...);
-}
-
-template <class T>
-mw_status logarithm(kernel_id any, kernel_id unit, std::size_t count, const view<T, 6> &out,
-                    const view<const T, 8> &motors, unsigned flags)
-{
-    if (kernels() && (flags & ~static_cast<unsigned>(MW_UNIT_MOTORS)))
-        return MW_ERROR_FLAGS;
-    return motors_each(flags & MW_UNIT_MOTORS ? unit : any, count, out, motors);
+    return run_streams(kernel.id, static_cast<const T *>(fixed), to(out), count, in...);
 }
 
 // ------------------------------------------------------------------------------------------------------ hierarchies
@@ -207,6 +136,27 @@ mw_status hierarchy(const view<T, 8> &out, const view<const T, 8> &locals, std::
 
 using namespace motorway;
 
+// The kernels of a function that takes one flag.
+#define MOTORWAY_UNIT_CHOICE(verb)                                                                                    \
+    kernel_choice(kernel_id::verb##_motor_each, kernel_id::verb##_motor_each_unit, MW_UNIT_MOTORS, flags)
+#define MOTORWAY_WAY_CHOICE(verb, pairing)                                                                            \
+    kernel_choice(kernel_id::verb##_motor_##pairing, kernel_id::verb##_long_motor_##pairing, MW_LONG_WAY, flags)
+
+#define MOTORWAY_INTERPOLATION(verb, P, T)                                                                            \
+    mw_status mw_##verb##_motor_each_##P(mw_motors_##P out, mw_const_motors_##P first, mw_const_motors_##P second,    \
+                                         const T *parameters, size_t parameter_stride, size_t count, unsigned flags)  \
+    {                                                                                                                 \
+        return motors_each(MOTORWAY_WAY_CHOICE(verb, each), count, view_of_motors<T>(out),                            \
+                           numbers<T>{parameters, parameter_stride}, view_of_motors<const T>(first),                  \
+                           view_of_motors<const T>(second));                                                          \
+    }                                                                                                                 \
+    mw_status mw_##verb##_motor_one_##P(mw_motors_##P out, const mw_motor_##P *first, const mw_motor_##P *second,     \
+                                        const T *parameters, size_t parameter_stride, size_t count, unsigned flags)   \
+    {                                                                                                                 \
+        return motors_shared(MOTORWAY_WAY_CHOICE(verb, one), count, view_of_motors<T>(out), first, second,            \
+                             numbers<T>{parameters, parameter_stride});                                               \
+    }
+
 #define MOTORWAY_GROUP(P, T)                                                                                          \
     mw_status mw_compose_motor_each_##P(mw_motors_##P out, mw_const_motors_##P first, mw_const_motors_##P then,       \
                                         size_t count)                                                                 \
@@ -251,18 +201,24 @@ using namespace motorway;
     mw_status mw_exp_motor_each_##P(mw_motors_##P out, mw_const_bivectors_##P generators, size_t count)               \
     {                                                                                                                 \
         return motors_each(kernel_id::exp_motor_each, count, view_of_motors<T>(out),                                  \
-                           view_of_bivectors<const T>(generators));                                                         \
+                           view_of_bivectors<const T>(generators));                                                   \
     }                                                                                                                 \
     mw_status mw_log_motor_each_##P(mw_bivectors_##P out, mw_const_motors_##P motors, size_t count, unsigned flags)   \
     {                                                                                                                 \
-        return logarithm(kernel_id::log_motor_each, kernel_id::log_motor_each_unit, count, view_of_bivectors<T>(out),   \
-                         view_of_motors<const T>(motors), flags);                                                     \
+        return motors_each(MOTORWAY_UNIT_CHOICE(log), count, view_of_bivectors<T>(out),                               \
+                           view_of_motors<const T>(motors));                                                          \
     }                                                                                                                 \
     mw_status mw_log_principal_motor_each_##P(mw_bivectors_##P out, mw_const_motors_##P motors, size_t count,         \
                                               unsigned flags)                                                         \
     {                                                                                                                 \
-        return logarithm(kernel_id::log_principal_motor_each, kernel_id::log_principal_motor_each_unit, count,        \
-                         view_of_bivectors<T>(out), view_of_motors<const T>(motors), flags);                            \
+        return motors_each(MOTORWAY_UNIT_CHOICE(log_principal), count, view_of_bivectors<T>(out),                     \
+                           view_of_motors<const T>(motors));                                                          \
+    }                                                                                                                 \
+    mw_status mw_ratio_motor_each_##P(mw_motors_##P out, mw_const_motors_##P from, mw_const_motors_##P to,            \
+                                      size_t count, unsigned flags)                                                   \
+    {                                                                                                                 \
+        return motors_each(MOTORWAY_UNIT_CHOICE(ratio), count, view_of_motors<T>(out),                                \
+                           view_of_motors<const T>(from), view_of_motors<const T>(to));                               \
     }                                                                                                                 \
     mw_status mw_sqrt_motor_each_##P(mw_motors_##P out, mw_const_motors_##P motors, size_t count)                     \
     {                                                                                                                 \
@@ -273,21 +229,10 @@ using namespace motorway;
                                       size_t exponent_stride, size_t count)                                           \
     {                                                                                                                 \
         return motors_each(kernel_id::power_motor_each, count, view_of_motors<T>(out),                                \
-                           view_of_motors<const T>(motors), numbers<T>{exponents, exponent_stride});                  \
+                           numbers<T>{exponents, exponent_stride}, view_of_motors<const T>(motors));                  \
     }                                                                                                                 \
-    mw_status mw_slerp_motor_each_##P(mw_motors_##P out, mw_const_motors_##P first, mw_const_motors_##P second,       \
-                                      const T *parameters, size_t parameter_stride, size_t count)                     \
-    {                                                                                                                 \
-        return motors_each(kernel_id::slerp_motor_each, count, view_of_motors<T>(out),                                \
-                           view_of_motors<const T>(first), view_of_motors<const T>(second),                           \
-                           numbers<T>{parameters, parameter_stride});                                                 \
-    }                                                                                                                 \
-    mw_status mw_slerp_motor_one_##P(mw_motors_##P out, const mw_motor_##P *first, const mw_motor_##P *second,        \
-                                     const T *parameters, size_t parameter_stride, size_t count)                      \
-    {                                                                                                                 \
-        return motors_shared(kernel_id::slerp_motor_one, count, view_of_motors<T>(out), first, second,                \
-                             numbers<T>{parameters, parameter_stride});                                               \
-    }
+    MOTORWAY_INTERPOLATION(slerp, P, T)                                                                               \
+    MOTORWAY_INTERPOLATION(nlerp, P, T)
 
 MOTORWAY_GROUP(f32, float)
 MOTORWAY_GROUP(f64, double)

@@ -80,6 +80,11 @@ typedef enum mw_status {
                                   or a domain of length zero */
     MW_ERROR_PARAMETER,        /* a parameter outside the domain of the motion, or NaN */
     MW_ERROR_PARENT,           /* a joint whose parent does not come before it */
+    MW_ERROR_MATRIX,           /* a matrix that is no rotation and translation: not orthonormal within the tolerance, a
+                                  reflection, or not finite */
+    MW_ERROR_MATRIX_LAYOUT,    /* not one of mw_matrix_layout */
+    MW_ERROR_EULER_ORDER,      /* not one of mw_euler_order */
+    MW_ERROR_SCALE,            /* a length scale that is zero or not finite */
     MW_ERROR_TERM_COUNT,       /* more than MW_MAX_TERMS terms in a blend of separate control arrays */
     MW_ERROR_ISA               /* MOTORWAY_ISA names an instruction set that cannot run here */
 } mw_status;
@@ -108,7 +113,11 @@ enum {
      * begins a cache line, which takes bases that are multiples of sizeof(T) and agree modulo 64. The flag is no
      * error where they cannot. It never changes a result. */
     MW_STREAMING_STORES = 2,
-    MW_NO_STREAMING_STORES = 4
+    MW_NO_STREAMING_STORES = 4,
+    /* Interpolation takes the long way round: by the rotation of more than a half turn. */
+    MW_LONG_WAY = 8,
+    /* A matrix need not be orthonormal: the rotation nearest to it is taken. */
+    MW_NEAREST_ROTATION = 16
 };
 
 /* What a call reads and writes together from which on its results bypass the caches. */
@@ -127,7 +136,9 @@ typedef struct mw_motor_f64 { double s, b12, b13, b23, b1i, b2i, b3i, w; } mw_mo
  *     mw_vectors   e0 e1 e2 e3 ei                 grade 1: points, spheres and planes (ei: the coefficient of e∞)
  *     mw_lines     dx dy dz mx my mz              Plücker: the direction d, and the moment p × d of any point p on it
  *     mw_motors    s b12 b13 b23 b1i b2i b3i w    motors, in the order of the paper
- *     mw_bivectors b12 b13 b23 b1i b2i b3i        logarithms of motors
+ *     mw_bivectors b12 b13 b23 b1i b2i b3i        logarithms of motors, twists
+ *     mw_dual_quaternions rx ry rz rw dx dy dz dw   the real quaternion, then the dual one
+ *     mw_screws    ax ay az px py pz angle distance   the axis, a point on it, the angle about it, the way along it
  *
  * They are made by
  *     mw_[const_]xyz_f32_aos(first, stride)    components adjacent at `first`, `stride` bytes from element to element;
@@ -135,6 +146,8 @@ typedef struct mw_motor_f64 { double s, b12, b13, b23, b1i, b2i, b3i, w; } mw_mo
  *     mw_[const_]xyz_f32_soa(components)       one array a component: an array of as many pointers, in that order;
  *                                              for xyz alone three arguments, x, y and z
  *     mw_[const_]xyz_f32_from(view, begin)     the elements of a view from number `begin` on
+ *     mw_[const_]xyzw_f32_wxyz(first, stride)  quaternions that lie in memory as w x y z; as fast as x y z w. And
+ *                                              mw_[const_]dual_quaternions_f32_wxyz: both quaternions so
  * and the same for f64. They check nothing. */
 #define MW_COMPONENTS_xyz(use, T) use(x, T) use(y, T) use(z, T)
 #define MW_COMPONENTS_xyzw(use, T) use(x, T) use(y, T) use(z, T) use(w, T)
@@ -143,6 +156,10 @@ typedef struct mw_motor_f64 { double s, b12, b13, b23, b1i, b2i, b3i, w; } mw_mo
 #define MW_COMPONENTS_motors(use, T)                                                                                  \
     use(s, T) use(b12, T) use(b13, T) use(b23, T) use(b1i, T) use(b2i, T) use(b3i, T) use(w, T)
 #define MW_COMPONENTS_bivectors(use, T) use(b12, T) use(b13, T) use(b23, T) use(b1i, T) use(b2i, T) use(b3i, T)
+#define MW_COMPONENTS_dual_quaternions(use, T)                                                                        \
+    use(rx, T) use(ry, T) use(rz, T) use(rw, T) use(dx, T) use(dy, T) use(dz, T) use(dw, T)
+#define MW_COMPONENTS_screws(use, T)                                                                                  \
+    use(ax, T) use(ay, T) use(az, T) use(px, T) use(py, T) use(pz, T) use(angle, T) use(distance, T)
 
 #define MW_DECLARE(component, T) T *component;
 #define MW_SET_ADJACENT(component, T) view.component = first ? (T *)first + k++ : NULL;
@@ -185,6 +202,8 @@ MW_DEFINE_VIEWS(vectors, float, double, _soa)
 MW_DEFINE_VIEWS(lines, float, double, _soa)
 MW_DEFINE_VIEWS(motors, mw_motor_f32, mw_motor_f64, _soa)
 MW_DEFINE_VIEWS(bivectors, float, double, _soa)
+MW_DEFINE_VIEWS(dual_quaternions, float, double, _soa)
+MW_DEFINE_VIEWS(screws, float, double, _soa)
 
 #define MW_DEFINE_XYZ_SOA(view_type, T)                                                                               \
     static inline view_type view_type##_soa(T *x, T *y, T *z)                                                         \
@@ -197,6 +216,25 @@ MW_DEFINE_XYZ_SOA(mw_xyz_f32, float)
 MW_DEFINE_XYZ_SOA(mw_xyz_f64, double)
 MW_DEFINE_XYZ_SOA(mw_const_xyz_f32, const float)
 MW_DEFINE_XYZ_SOA(mw_const_xyz_f64, const double)
+
+#define MW_DEFINE_WXYZ(quaternions, dual_quaternions, T)                                                              \
+    static inline quaternions quaternions##_wxyz(T *first, size_t stride)                                             \
+    {                                                                                                                 \
+        quaternions view = quaternions##_aos(first, stride);                                                          \
+        view.w = first, view.x = view.y, view.y = view.z, view.z = first ? first + 3 : first;                         \
+        return view;                                                                                                  \
+    }                                                                                                                 \
+    static inline dual_quaternions dual_quaternions##_wxyz(T *first, size_t stride)                                   \
+    {                                                                                                                 \
+        dual_quaternions view = dual_quaternions##_aos(first, stride);                                                \
+        view.rw = first, view.rx = view.ry, view.ry = view.rz, view.rz = first ? first + 3 : first;                   \
+        view.dw = view.dx, view.dx = view.dy, view.dy = view.dz, view.dz = first ? first + 7 : first;                 \
+        return view;                                                                                                  \
+    }
+MW_DEFINE_WXYZ(mw_xyzw_f32, mw_dual_quaternions_f32, float)
+MW_DEFINE_WXYZ(mw_xyzw_f64, mw_dual_quaternions_f64, double)
+MW_DEFINE_WXYZ(mw_const_xyzw_f32, mw_const_dual_quaternions_f32, const float)
+MW_DEFINE_WXYZ(mw_const_xyzw_f64, mw_const_dual_quaternions_f64, const double)
 
 /* Positions and normals of vertices, each a view of its own: of one interleaved buffer
  *     {mw_xyz_f32_aos(&vertex[0].position, sizeof vertex[0]), mw_xyz_f32_aos(&vertex[0].normal, sizeof vertex[0])}
@@ -220,6 +258,8 @@ MW_DEFINE_VERTICES(mw_const_vertices_f64, mw_const_xyz_f64)
 #undef MW_COMPONENTS_lines
 #undef MW_COMPONENTS_motors
 #undef MW_COMPONENTS_bivectors
+#undef MW_COMPONENTS_dual_quaternions
+#undef MW_COMPONENTS_screws
 #undef MW_DECLARE
 #undef MW_SET_ADJACENT
 #undef MW_SET_ARRAY
@@ -227,6 +267,7 @@ MW_DEFINE_VERTICES(mw_const_vertices_f64, mw_const_xyz_f64)
 #undef MW_DEFINE_VIEW
 #undef MW_DEFINE_VIEWS
 #undef MW_DEFINE_XYZ_SOA
+#undef MW_DEFINE_WXYZ
 #undef MW_DEFINE_VERTICES
 
 /* One index an element, into a palette of motors: at byte offset i * stride from `first`, of any alignment, so that it
@@ -259,6 +300,38 @@ static inline mw_indices mw_indices_from(mw_indices indices, size_t begin)
     return indices;
 }
 
+/* Matrices of rotations and translations, which act on columns: p' = R p + t. Element (r, c) of matrix i is at byte
+ * offset i * stride from first[4 r + c] where rows are adjacent, from first[3 c + r] or first[4 c + r] where columns
+ * are. 4 x 4 matrices have the last row 0 0 0 1, which is written but not read. Libraries in which rows are
+ * multiplied from the left (p' = p M, as DirectX has it) keep the transpose: their 4 x 4 matrices by rows are ours by
+ * columns, their 4 x 3 ones ours of 3 x 4 by columns. docs/conventions.md has a table. */
+typedef enum mw_matrix_layout {
+    MW_MATRIX_ROWS_3X4,    /* 12 numbers: r00 r01 r02 tx  r10 ... */
+    MW_MATRIX_ROWS_4X4,    /* 16 numbers: r00 r01 r02 tx  r10 ...  0 0 0 1 */
+    MW_MATRIX_COLUMNS_3X4, /* 12 numbers: r00 r10 r20  r01 ...  tx ty tz */
+    MW_MATRIX_COLUMNS_4X4  /* 16 numbers: r00 r10 r20 0  r01 ...  tx ty tz 1 */
+} mw_matrix_layout;
+typedef struct mw_matrices_f32 { float *first; size_t stride; mw_matrix_layout layout; } mw_matrices_f32;
+typedef struct mw_matrices_f64 { double *first; size_t stride; mw_matrix_layout layout; } mw_matrices_f64;
+typedef struct mw_const_matrices_f32 {
+    const float *first;
+    size_t stride;
+    mw_matrix_layout layout;
+} mw_const_matrices_f32;
+typedef struct mw_const_matrices_f64 {
+    const double *first;
+    size_t stride;
+    mw_matrix_layout layout;
+} mw_const_matrices_f64;
+
+/* Three angles, about the axes in the order named, each axis turned by the rotations before it (intrinsic). About axes
+ * that stay fixed, the same three angles in the opposite order are the same rotation: fixed x, y, z is
+ * MW_EULER_ZYX with the angles reversed. */
+typedef enum mw_euler_order {
+    MW_EULER_XYZ, MW_EULER_XZY, MW_EULER_YXZ, MW_EULER_YZX, MW_EULER_ZXY, MW_EULER_ZYX, /* the second in ±π/2 */
+    MW_EULER_XYX, MW_EULER_XZX, MW_EULER_YXY, MW_EULER_YZY, MW_EULER_ZXZ, MW_EULER_ZYZ  /* the second in [0, π] */
+} mw_euler_order;
+
 /* ---------------------------------------------------------------------------------------------- making motors --- */
 
 /* The translation by `offset`: 1 + ½ t e∞ (the paper's lemma 3.10). MW_ERROR_NULL. */
@@ -290,6 +363,9 @@ mw_status mw_check_motors_f64(mw_const_motors_f64 motors, size_t count, size_t *
  *     vector      mw_vectors    moved as a whole: of a point, a sphere or a plane the same of its image
  *     line        mw_lines      the line through the images of its points; its length is kept
  *     motor       mw_motors     T^-1 M T of the motor M under T: the same motion about the moved place
+ *     bivector    mw_bivectors  S^-1 B S: the logarithm of a motor, or a twist, moved likewise (the adjoint action). In
+ *                               Plücker coordinates, a twist (ω, velocity of the origin) or a wrench (force, torque
+ *                               about the origin), it is a line
  *
  *     pairing     out[i] is element i ...
  *     one         under `motor`, the same for all
@@ -331,7 +407,7 @@ mw_status mw_check_motors_f64(mw_const_motors_f64 motors, size_t count, size_t *
 /* The list of operands, for whoever wants to say something of each. */
 #define MW_OPERANDS(use, P)                                                                                           \
     use(point, xyz, P) use(direction, xyz, P) use(tangent, xyzw, P) use(vertex, vertices, P) use(vector, vectors, P)  \
-        use(line, lines, P) use(motor, motors, P)
+        use(line, lines, P) use(motor, motors, P) use(bivector, bivectors, P)
 
 MW_OPERANDS(MW_DECLARE_APPLY, f32)
 MW_OPERANDS(MW_DECLARE_APPLY, f64)
@@ -412,6 +488,15 @@ mw_status mw_normalize_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 mot
 mw_status mw_inverse_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, size_t count);
 mw_status mw_inverse_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
 
+/* out[i] = from[i]^-1 to[i], the relative motor: what is to be done after from[i] to come to to[i], so that composing
+ * from[i] and then out[i] gives to[i]. With MW_UNIT_MOTORS from[i] must be normalised.
+ * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS; degenerate motors: see
+ * mw_check_motors. */
+mw_status mw_ratio_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 from, mw_const_motors_f32 to, size_t count,
+                                  unsigned flags);
+mw_status mw_ratio_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 from, mw_const_motors_f64 to, size_t count,
+                                  unsigned flags);
+
 /* -------------------------------------------------------------------------------- exponentials, interpolation --- */
 
 /* A bivector B generates the motions exp(tB), which are screws: with B = ½θ (b + (b∧q) e∞) + ½ t e∞, b = a e123 and t
@@ -419,7 +504,8 @@ mw_status mw_inverse_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motor
  * docs/accuracy.md has the errors of these functions and where they come from. None of them branches, and none calls
  * a mathematical library. */
 
-/* out[i] = exp(generators[i]), normalised, for every angle.
+/* out[i] = exp(generators[i]), normalised, for every angle. (Where the instruction set does not fuse, beyond a full
+ * turn the error of the angle grows with it: 0.7 epsilons of it.)
  * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_exp_motor_each_f32(mw_motors_f32 out, mw_const_bivectors_f32 generators, size_t count);
 mw_status mw_exp_motor_each_f64(mw_motors_f64 out, mw_const_bivectors_f64 generators, size_t count);
@@ -433,8 +519,8 @@ mw_status mw_log_motor_each_f32(mw_bivectors_f32 out, mw_const_motors_f32 motors
 mw_status mw_log_motor_each_f64(mw_bivectors_f64 out, mw_const_motors_f64 motors, size_t count, unsigned flags);
 
 /* The same for the motor itself: exp(out[i]) = motors[i], which turns by less than a full turn. Near s = -1 (a full
- * turn) the axis is lost to rounding and the moment grows as 1/sin; at -1 itself there is none, and the result is that
- * of mw_log_motor_each. */
+ * turn) the axis is lost to rounding and the moment grows as 1/sin; where |b| <= 2^-40, as at -1 itself, there is none,
+ * and the result is that of mw_log_motor_each. */
 mw_status mw_log_principal_motor_each_f32(mw_bivectors_f32 out, mw_const_motors_f32 motors, size_t count,
                                           unsigned flags);
 mw_status mw_log_principal_motor_each_f64(mw_bivectors_f64 out, mw_const_motors_f64 motors, size_t count,
@@ -453,20 +539,165 @@ mw_status mw_power_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors,
 mw_status mw_power_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, const double *exponents,
                                   size_t exponent_stride, size_t count);
 
-/* out[i] = first[i] (first[i]^-1 second[i])^t, the screw between two poses at t = parameters[i], the short way (both
- * normalised; second or -second, whichever is nearer): first[i] at 0 and ±second[i] at 1, to rounding. Meant for
- * 0 <= t <= 1, and as accurate for -1 <= t <= 2; not beyond. parameter_stride as above.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
+/* out[i] = first[i] (first[i]^-1 second[i])^t, the screw between two poses at t = parameters[i]: first[i] at 0 and
+ * ±second[i] at 1, to rounding. Both normalised. The short way, towards second or -second, whichever is nearer; with
+ * MW_LONG_WAY the other one, which turns on by what is missing to a full turn (a translation has no long way and
+ * takes the short one). The short way is meant for 0 <= t <= 1, and loses little for -1 <= t <= 2; the long way, and
+ * mw_power_motor_each, take any t. parameter_stride as above.
+ * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS. */
 mw_status mw_slerp_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 first, mw_const_motors_f32 second,
-                                  const float *parameters, size_t parameter_stride, size_t count);
+                                  const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
 mw_status mw_slerp_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 first, mw_const_motors_f64 second,
-                                  const double *parameters, size_t parameter_stride, size_t count);
+                                  const double *parameters, size_t parameter_stride, size_t count, unsigned flags);
 
 /* The same between two poses, at many parameters. */
 mw_status mw_slerp_motor_one_f32(mw_motors_f32 out, const mw_motor_f32 *first, const mw_motor_f32 *second,
-                                 const float *parameters, size_t parameter_stride, size_t count);
+                                 const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
 mw_status mw_slerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, const mw_motor_f64 *second,
-                                 const double *parameters, size_t parameter_stride, size_t count);
+                                 const double *parameters, size_t parameter_stride, size_t count, unsigned flags);
+
+/* out[i] = (1-t) first[i] ± t second[i], normalised ("method 1" of the lecture notes; equation (5) of the paper): the
+ * same poses at both ends and almost the same path as slerp, at less than half the cost and at a speed that is not
+ * constant. Both normalised; for every t. The long way (MW_LONG_WAY) is the sum with the other sign, which is degenerate
+ * where the two cancel: halfway between equal poses. mw_blend_motor_* is the same without normalising.
+ * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS. */
+mw_status mw_nlerp_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 first, mw_const_motors_f32 second,
+                                  const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
+mw_status mw_nlerp_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 first, mw_const_motors_f64 second,
+                                  const double *parameters, size_t parameter_stride, size_t count, unsigned flags);
+mw_status mw_nlerp_motor_one_f32(mw_motors_f32 out, const mw_motor_f32 *first, const mw_motor_f32 *second,
+                                 const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
+mw_status mw_nlerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, const mw_motor_f64 *second,
+                                 const double *parameters, size_t parameter_stride, size_t count, unsigned flags);
+
+/* --------------------------------------------------------------------------------------------- representations --- */
+
+/* mw_convert_<a>_to_<b>_each_<precision>: motors from and into what other libraries hold. A single motor is a batch of
+ * one; motorway.hpp has that as functions of values. docs/conventions.md compares component orders, signs and
+ * senses with those of other libraries, each row of it a test.
+ *
+ * Wherever there is a rotation and a translation, the rotation acts first: p' = R p + t. Every rotation has two motors, S
+ * and -S; those made here have s >= 0 unless the text says otherwise. Motors to be converted need not be normalised, and
+ * those made of normalised input are.
+ * All: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP; degenerate motors: see mw_check_motors.
+ * Error: a few epsilons of the rotation, and of the translation relative to its length; docs/accuracy.md. */
+
+/* Unit quaternions and translations. The sign of the motor is that of the quaternion, and a quaternion of any other
+ * length makes a motor of that length, of the same motion: S = w + z e12 - y e13 + x e23, composed with 1 + ½ t e∞. */
+mw_status mw_convert_motor_to_pose_each_f32(mw_xyzw_f32 quaternions, mw_xyz_f32 translations,
+                                            mw_const_motors_f32 motors, size_t count);
+mw_status mw_convert_motor_to_pose_each_f64(mw_xyzw_f64 quaternions, mw_xyz_f64 translations,
+                                            mw_const_motors_f64 motors, size_t count);
+mw_status mw_convert_pose_to_motor_each_f32(mw_motors_f32 out, mw_const_xyzw_f32 quaternions,
+                                            mw_const_xyz_f32 translations, size_t count);
+mw_status mw_convert_pose_to_motor_each_f64(mw_motors_f64 out, mw_const_xyzw_f64 quaternions,
+                                            mw_const_xyz_f64 translations, size_t count);
+
+/* Dual quaternions r + εd with d = ½ t r, as engines and skinning have them: r = (b23, -b13, b12; s) and
+ * d = (b1i, b2i, b3i; -w). Exact. */
+mw_status mw_convert_motor_to_dual_quaternion_each_f32(mw_dual_quaternions_f32 out, mw_const_motors_f32 motors,
+                                                       size_t count);
+mw_status mw_convert_motor_to_dual_quaternion_each_f64(mw_dual_quaternions_f64 out, mw_const_motors_f64 motors,
+                                                       size_t count);
+mw_status mw_convert_dual_quaternion_to_motor_each_f32(mw_motors_f32 out, mw_const_dual_quaternions_f32 in,
+                                                       size_t count);
+mw_status mw_convert_dual_quaternion_to_motor_each_f64(mw_motors_f64 out, mw_const_dual_quaternions_f64 in,
+                                                       size_t count);
+
+/* Matrices. From a matrix that is not quite orthonormal comes a normalised motor of about its rotation; with
+ * MW_NEAREST_ROTATION that of the rotation nearest to it, in the sum of the squares of the differences, of any matrix
+ * (of a reflection too): slower by far, one after the other, by Jacobi's method in double. Also MW_ERROR_MATRIX_LAYOUT,
+ * and from matrices MW_ERROR_FLAGS. */
+mw_status mw_convert_motor_to_matrix_each_f32(mw_matrices_f32 out, mw_const_motors_f32 motors, size_t count);
+mw_status mw_convert_motor_to_matrix_each_f64(mw_matrices_f64 out, mw_const_motors_f64 motors, size_t count);
+mw_status mw_convert_matrix_to_motor_each_f32(mw_motors_f32 out, mw_const_matrices_f32 matrices, size_t count,
+                                              unsigned flags);
+mw_status mw_convert_matrix_to_motor_each_f64(mw_motors_f64 out, mw_const_matrices_f64 matrices, size_t count,
+                                              unsigned flags);
+
+/* One pass over the matrices: MW_ERROR_MATRIX if one is further from a rotation than `tolerance`, and then *first_bad is
+ * the number of the first such. Its distance is the largest element of |RᵀR - 1|, or infinite if R is a reflection or any
+ * element is not finite. *deviation is the largest distance of all. Both pointers may be null.
+ * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_MATRIX_LAYOUT. */
+mw_status mw_check_matrices_f32(mw_const_matrices_f32 matrices, size_t count, float tolerance, size_t *first_bad,
+                                float *deviation);
+mw_status mw_check_matrices_f64(mw_const_matrices_f64 matrices, size_t count, double tolerance, size_t *first_bad,
+                                double *deviation);
+
+/* Axis and angle, and translations: x y z is the axis through the origin, of length 1, and w the angle, of any size.
+ * From motors come angles in [0, π]; where it is 0, the axis is z. */
+mw_status mw_convert_motor_to_axis_angle_each_f32(mw_xyzw_f32 rotations, mw_xyz_f32 translations,
+                                                  mw_const_motors_f32 motors, size_t count);
+mw_status mw_convert_motor_to_axis_angle_each_f64(mw_xyzw_f64 rotations, mw_xyz_f64 translations,
+                                                  mw_const_motors_f64 motors, size_t count);
+mw_status mw_convert_axis_angle_to_motor_each_f32(mw_motors_f32 out, mw_const_xyzw_f32 rotations,
+                                                  mw_const_xyz_f32 translations, size_t count);
+mw_status mw_convert_axis_angle_to_motor_each_f64(mw_motors_f64 out, mw_const_xyzw_f64 rotations,
+                                                  mw_const_xyz_f64 translations, size_t count);
+
+/* Euler angles, and translations: x is the first angle, y the second, z the third, of any size. From motors come the
+ * first and third angle in [-π, π]. Where these two are about the same axis (gimbal lock), only their sum or
+ * difference is determined, and they share it equally. Also MW_ERROR_EULER_ORDER. */
+mw_status mw_convert_motor_to_euler_each_f32(mw_xyz_f32 angles, mw_xyz_f32 translations, mw_const_motors_f32 motors,
+                                             size_t count, mw_euler_order order);
+mw_status mw_convert_motor_to_euler_each_f64(mw_xyz_f64 angles, mw_xyz_f64 translations, mw_const_motors_f64 motors,
+                                             size_t count, mw_euler_order order);
+mw_status mw_convert_euler_to_motor_each_f32(mw_motors_f32 out, mw_const_xyz_f32 angles,
+                                             mw_const_xyz_f32 translations, size_t count, mw_euler_order order);
+mw_status mw_convert_euler_to_motor_each_f64(mw_motors_f64 out, mw_const_xyz_f64 angles,
+                                             mw_const_xyz_f64 translations, size_t count, mw_euler_order order);
+
+/* Translations alone: 1 + ½ t e∞ (the paper's lemma 3.10); and of any motor where it takes the origin. */
+mw_status mw_convert_translation_to_motor_each_f32(mw_motors_f32 out, mw_const_xyz_f32 translations, size_t count);
+mw_status mw_convert_translation_to_motor_each_f64(mw_motors_f64 out, mw_const_xyz_f64 translations, size_t count);
+mw_status mw_convert_motor_to_translation_each_f32(mw_xyz_f32 translations, mw_const_motors_f32 motors, size_t count);
+mw_status mw_convert_motor_to_translation_each_f64(mw_xyz_f64 translations, mw_const_motors_f64 motors, size_t count);
+
+/* Screws (Chasles): a rotation by `angle` about the axis of direction a, of length 1, through the point p, and a
+ * translation by `distance` along it, in any order. The pitch is distance / angle. With distance 0 that is the
+ * rotation about a point of lemma 3.11. From motors come angles in [0, π], and the point of the axis that is nearest
+ * to the origin. A translation has angle 0, its own direction for the axis, and the origin for the point; so has what
+ * turns by less than 2^-59. The identity has the axis z. */
+mw_status mw_convert_motor_to_screw_each_f32(mw_screws_f32 out, mw_const_motors_f32 motors, size_t count);
+mw_status mw_convert_motor_to_screw_each_f64(mw_screws_f64 out, mw_const_motors_f64 motors, size_t count);
+mw_status mw_convert_screw_to_motor_each_f32(mw_motors_f32 out, mw_const_screws_f32 screws, size_t count);
+mw_status mw_convert_screw_to_motor_each_f64(mw_motors_f64 out, mw_const_screws_f64 screws, size_t count);
+
+/* Rotors as Wareham and Lasenby write them, which act as R x R̃ and in which lengths are measured in units of `lambda`
+ * (their embedding, section 1): R = S̃ with its e∞ part divided by lambda, and n for e∞. The components of rotors are in
+ * the order of a motor's, e1∞ standing for e1 n. The sign is kept; exact up to the rounding of 1 / lambda.
+ * Also MW_ERROR_SCALE. */
+mw_status mw_convert_motor_to_rotor_each_f32(mw_motors_f32 rotors, mw_const_motors_f32 motors, size_t count,
+                                             float lambda);
+mw_status mw_convert_motor_to_rotor_each_f64(mw_motors_f64 rotors, mw_const_motors_f64 motors, size_t count,
+                                             double lambda);
+mw_status mw_convert_rotor_to_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 rotors, size_t count,
+                                             float lambda);
+mw_status mw_convert_rotor_to_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 rotors, size_t count,
+                                             double lambda);
+
+/* -------------------------------------------------------------------------------------------------- one twist --- */
+
+/* What the motor exp(λB) does, in the parts into which Wareham and Lasenby split its generator (section 2.4):
+ *     B = ½ angle (axis e123) + ½ (along + across) e∞
+ * with `along` parallel to the axis (their t⊥, normal to the plane of rotation) and `across` normal to it (their t∥),
+ * and the signs so that exp(B) rotates by `angle` and translates by `along`. Their twist τ(ψ, P, a) of definition 4 is
+ * the case without `across`. axis has length 1. */
+typedef struct mw_twist_f32 { float axis[3], angle, along[3], across[3]; } mw_twist_f32;
+typedef struct mw_twist_f64 { double axis[3], angle, along[3], across[3]; } mw_twist_f64;
+
+/* The parts of a generator b12 b13 b23 b1i b2i b3i; of one without rotation angle 0, axis z, and all of it in `along`
+ * and `across` of that axis. Computed in double, rounded once. MW_ERROR_NULL; MW_ERROR_AXIS if a number is not finite. */
+mw_status mw_split_bivector_f32(mw_twist_f32 *out, const float bivector[6]);
+mw_status mw_split_bivector_f64(mw_twist_f64 *out, const double bivector[6]);
+
+/* The pose exp(λB), as the sum of a twist and what `across` adds (their equation (2)), and the position r_λ of what is at
+ * the origin when λ = 0, a helix in closed form (section 4.1, errata.md). Computed in double, rounded once.
+ * MW_ERROR_NULL; MW_ERROR_AXIS if the axis does not have length 1 (to 2^-10) or a number is not finite. */
+mw_status mw_twist_pose_f32(mw_motor_f32 *out, const mw_twist_f32 *twist, float lambda);
+mw_status mw_twist_pose_f64(mw_motor_f64 *out, const mw_twist_f64 *twist, double lambda);
+mw_status mw_twist_position_f32(float out[3], const mw_twist_f32 *twist, float lambda);
+mw_status mw_twist_position_f64(double out[3], const mw_twist_f64 *twist, double lambda);
 
 /* -------------------------------------------------------------------------------------------- blending motors --- */
 

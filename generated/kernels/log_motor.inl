@@ -24,9 +24,9 @@ struct log_motor_each {
         const V alpha = fma(b23, b23, fma(b13, b13, fma(b12, b12, s * s)));
         const V r = V(1) / sqrt(alpha);
         const V n12 = b12 * r;
-        const V ns = s * r;
-        const V z = V(1) - magnitude(ns);
-        const V f = with_sign(arc(z), ns);
+        const V n = s * r;
+        const V z = V(1) - magnitude(n);
+        const V f = with_sign(arc(z), n);
         const V n13 = b13 * r;
         const V n23 = b23 * r;
         const V half_beta = fnma(b23, b1i, fma(b13, b2i, fnma(b12, b3i, s * w)));

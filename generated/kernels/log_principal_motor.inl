@@ -24,8 +24,8 @@ struct log_principal_motor_each {
         const V alpha = fma(b23, b23, fma(b13, b13, fma(b12, b12, s * s)));
         const V r = V(1) / sqrt(alpha);
         const V n12 = b12 * r;
-        const V ns = s * r;
-        const V shared1 = magnitude(ns);
+        const V n = s * r;
+        const V shared1 = magnitude(n);
         const V z = V(1) - shared1;
         const V n23 = b23 * r;
         const V n13 = b13 * r;
@@ -37,8 +37,8 @@ struct log_principal_motor_each {
         const V off = fnma(rough, scaled, V(1));
         const V i = fma(half_rough, off, rough);
         const V pi_over = fma(pi_rest<V>(), i, pi<V>() * i);
-        const V turn = if_less(ns, V(0), pi_over, V(0));
-        const V f = with_sign(arc(z), ns) + turn;
+        const V turn = if_less(n, V(0), pi_over, V(0));
+        const V f = with_sign(arc(z), n) + turn;
         const V half_beta = fnma(b23, b1i, fma(b13, b2i, fnma(b12, b3i, s * w)));
         const V q = (r * r) * half_beta;
         const V n123i = r * fnma(s, q, w);

@@ -189,7 +189,7 @@ private:
 // registers. Lane 4 g + q holds element 4 g + q, so register q of a square holds the rows of elements q, 4 + q, ...
 
 // What lanes without an element read.
-template <class T> constexpr T ones[] = {1, 1, 1, 1, 1, 1, 1, 1};
+template <class T> constexpr T ones[] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
 
 #if !defined(MOTORWAY_ISA_scalar)
 template <int N, int First> constexpr int row_size = N - First < 4 ? N - First : 4;
@@ -242,7 +242,7 @@ public:
     }
     void load_partial(std::size_t i, int n, V *v) const
     {
-        static_assert(N <= 8);
+        static_assert(N <= sizeof ones<real> / sizeof(real));
         load_squares<N, real>(v, [=](int lane) { return lane < n ? at(base, stride, i + lane) : ones<real>; });
     }
     void store(std::size_t i, const V *v) const
@@ -321,8 +321,9 @@ using interleaved_stream = std::conditional_t<has_rows<T>, interleaved_rows<T, N
 template <int N> constexpr bool has_permutes = N == 3 || N == 4 || N == 8;
 template <class T, int N>
 using packed_stream =
-    std::conditional_t<N == 1, soa_stream<T, N>, std::conditional_t<has_permutes<N> && !(N % 4 == 0 && has_rows<T> && !permutes_are_cheap),
-                       packed_transposed<T, N>, interleaved_stream<T, N>>>;
+    std::conditional_t<N == 1, soa_stream<T, N>,
+                       std::conditional_t<has_permutes<N> && !(N % 4 == 0 && has_rows<T> && !permutes_are_cheap),
+                                          packed_transposed<T, N>, interleaved_stream<T, N>>>;
 #endif
 
 // Elements of N adjacent components at any addresses: element(lane) is where that of a lane begins.

@@ -37,11 +37,17 @@ inline void run_block(const vector<T> *constant, const Motors &motors, const In 
         out.store(i, result);
 }
 
-// Elements from motors of any source and streams of one layout. `before_line` elements come before the results begin
-// a cache line.
+// Whether the tails of every layout go through the loop for any: all but attributes of vertices, which come in small
+// batches. That spares the compiler a second copy of a lot of arithmetic for each layout.
+template <class K> constexpr bool shares_tails = !(K::inputs::are_small && K::outputs::are_small);
+
+template <class K, class T, class E, template <class> class Motors> void run_rest(const call<T, E> &c, std::size_t i);
+
+// Elements from number `i` on, from motors of any source and streams of one layout. `before_line` elements come before the
+// results begin a cache line.
 template <class K, class T, class E, template <class> class Motors, template <class, int> class Stream,
           store_mode Mode = store_mode::cached>
-MOTORWAY_LOOP void run_elements(const call<T, E> &c, [[maybe_unused]] int before_line = 0)
+MOTORWAY_LOOP void run_elements(const call<T, E> &c, [[maybe_unused]] int before_line = 0, std::size_t i = 0)
 {
     vector<T> constant[K::constant_size + 1];
     broadcast_constants<K>(c.fixed, constant);
@@ -49,7 +55,6 @@ MOTORWAY_LOOP void run_elements(const call<T, E> &c, [[maybe_unused]] int before
     const bundle<const E, Stream, typename K::inputs> in(c.in);
     const bundle<E, Stream, typename K::outputs> out(c.out);
     const std::size_t count = c.count; // a store could change the original for all that the compiler knows
-    std::size_t i = 0;
     if constexpr (Mode == store_mode::streaming)
         for (int n; before_line > 0; before_line -= n, i += static_cast<std::size_t>(n)) {
             n = lanes_left<E>(before_line, 0);
@@ -57,17 +62,34 @@ MOTORWAY_LOOP void run_elements(const call<T, E> &c, [[maybe_unused]] int before
         }
     for (; count - i >= width<E>; i += width<E>)
         run_block<K, T, E, false, Mode>(constant, motors, in, out, i, width<E>);
-    if (const int left = static_cast<int>(count - i))
-        run_block<K, T, E, true, Mode>(constant, motors, in, out, i, left);
+    if (const int left = static_cast<int>(count - i)) {
+        if constexpr (shares_tails<K> && !std::is_same_v<Stream<E, 1>, any_stream<E, 1>>)
+            run_rest<K, T, E, Motors>(c, i);
+        else
+            run_block<K, T, E, true, Mode>(constant, motors, in, out, i, left);
+    }
 }
 
-// Streams of one component that are arrays are packed as well.
+template <class K, class T, class E, template <class> class Motors>
+__attribute__((noinline)) void run_rest(const call<T, E> &c, std::size_t i)
+{
+    run_elements<K, T, E, Motors, any_stream>(c, 0, i);
+}
+
+// Whether what reads or writes streams of a kind does with this one: arrays of one component are packed as well, and
+// packed elements are interleaved.
+template <class Stream> inline bool is(layout kind, const Stream &stream, int components)
+{
+    const bool array = components == 1 && stream.kind == layout::soa;
+    return stream.kind == kind || (kind == layout::packed && array) ||
+           (kind == layout::interleaved && (array || stream.kind == layout::packed));
+}
+
 template <class Sizes, class Stream> inline bool all_are(layout kind, const Stream *streams)
 {
     bool all = true;
     for (int k = 0; k < Sizes::number; ++k)
-        all &= streams[k].kind == kind ||
-               (Sizes::value[k] == 1 && kind == layout::packed && streams[k].kind == layout::soa);
+        all &= is(kind, streams[k], Sizes::value[k]);
     return all;
 }
 

@@ -173,18 +173,24 @@ template <class V> inline V nearest(const V &a) { return nearest_by_adding(a); }
 inline float nearest(float a) { return nearest_by_adding(a); }
 inline double nearest(double a) { return nearest_by_adding(a); }
 #endif
+#if defined(MOTORWAY_ISA_avx512) || defined(MOTORWAY_ISA_avx2)
+constexpr int to_nearest = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC;
+#endif
 #if defined(MOTORWAY_ISA_avx512)
 inline floats at_least(const floats &value, const floats &bound) { return _mm512_max_ps(bound, value); }
 inline doubles at_least(const doubles &value, const doubles &bound) { return _mm512_max_pd(bound, value); }
-inline floats nearest(const floats &a) { return _mm512_roundscale_ps(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
-inline doubles nearest(const doubles &a) { return _mm512_roundscale_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
+inline floats nearest(const floats &a) { return _mm512_roundscale_ps(a, to_nearest); }
+inline doubles nearest(const doubles &a) { return _mm512_roundscale_pd(a, to_nearest); }
 #elif defined(MOTORWAY_ISA_avx2)
 inline floats at_least(const floats &value, const floats &bound) { return _mm256_max_ps(bound, value); }
 inline doubles at_least(const doubles &value, const doubles &bound) { return _mm256_max_pd(bound, value); }
-inline floats nearest(const floats &a) { return _mm256_round_ps(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
-inline doubles nearest(const doubles &a) { return _mm256_round_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
+inline floats nearest(const floats &a) { return _mm256_round_ps(a, to_nearest); }
+inline doubles nearest(const doubles &a) { return _mm256_round_pd(a, to_nearest); }
 #elif defined(MOTORWAY_ISA_sse2)
-inline vector<float> at_least(const vector<float> &value, const vector<float> &bound) { return _mm_max_ps(bound, value); }
+inline vector<float> at_least(const vector<float> &value, const vector<float> &bound)
+{
+    return _mm_max_ps(bound, value);
+}
 inline vector<double> at_least(const vector<double> &value, const vector<double> &bound)
 {
     return _mm_max_pd(bound, value);

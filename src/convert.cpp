@@ -1,0 +1,237 @@
+// Motors from and into what other libraries hold. Validate, look up, call, return a status.
+#include "motorway.h"
+#include "stream_calls.h"
+
+#include <cmath>
+
+namespace motorway {
+namespace {
+
+template <class T, class... Outputs, class... Inputs>
+mw_status convert(kernel_id id, std::size_t count, const outputs<Outputs...> &out, const Inputs &...in)
+{
+    return run_streams(id, static_cast<const T *>(nullptr), out, count, in...);
+}
+
+// ------------------------------------------------------------------------------------------------------ quaternions
+
+template <class T, class Quaternions> view<T, 4> view_of_xyzw(const Quaternions &q)
+{
+    return {{q.x, q.y, q.z, q.w}, q.stride};
+}
+
+template <class T, class Quaternions> view<T, 8> view_of_dual_quaternions(const Quaternions &q)
+{
+    return {{q.rx, q.ry, q.rz, q.rw, q.dx, q.dy, q.dz, q.dw}, q.stride};
+}
+
+// Whether w is next to x, and comes first: then a view in the order w x y z is of adjacent components.
+template <class Pointer> bool is_wxyz(Pointer w, Pointer x) { return x && w + 1 == x; }
+
+template <class T> view<T, 4> with_w_first(const view<T, 4> &q)
+{
+    const auto &c = q.component;
+    return {{c[3], c[0], c[1], c[2]}, q.stride};
+}
+template <class T> view<T, 8> with_w_first(const view<T, 8> &q)
+{
+    const auto &c = q.component;
+    return {{c[3], c[0], c[1], c[2], c[7], c[4], c[5], c[6]}, q.stride};
+}
+
+template <class T>
+mw_status motor_to_pose(const view<T, 4> &quaternions, const view<T, 3> &translations, const view<const T, 8> &motors,
+                        std::size_t count)
+{
+    if (is_wxyz(quaternions.component[3], quaternions.component[0]))
+        return convert<T>(kernel_id::convert_motor_to_pose_wxyz_each, count,
+                          to(with_w_first(quaternions), translations), motors);
+    return convert<T>(kernel_id::convert_motor_to_pose_each, count, to(quaternions, translations), motors);
+}
+
+template <class T>
+mw_status pose_to_motor(const view<T, 8> &out, const view<const T, 4> &quaternions,
+                        const view<const T, 3> &translations, std::size_t count)
+{
+    if (is_wxyz(quaternions.component[3], quaternions.component[0]))
+        return convert<T>(kernel_id::convert_pose_wxyz_to_motor_each, count, to(out), with_w_first(quaternions),
+                          translations);
+    return convert<T>(kernel_id::convert_pose_to_motor_each, count, to(out), quaternions, translations);
+}
+
+template <class T>
+mw_status motor_to_dual_quaternion(const view<T, 8> &out, const view<const T, 8> &motors, std::size_t count)
+{
+    if (is_wxyz(out.component[3], out.component[0]))
+        return convert<T>(kernel_id::convert_motor_to_dual_quaternion_wxyz_each, count, to(with_w_first(out)), motors);
+    return convert<T>(kernel_id::convert_motor_to_dual_quaternion_each, count, to(out), motors);
+}
+
+template <class T>
+mw_status dual_quaternion_to_motor(const view<T, 8> &out, const view<const T, 8> &in, std::size_t count)
+{
+    if (is_wxyz(in.component[3], in.component[0]))
+        return convert<T>(kernel_id::convert_dual_quaternion_wxyz_to_motor_each, count, to(out), with_w_first(in));
+    return convert<T>(kernel_id::convert_dual_quaternion_to_motor_each, count, to(out), in);
+}
+
+// ----------------------------------------------------------------------------------------------------- Euler angles
+
+// The axes of the three rotations: 0, 1, 2 for x, y, z.
+struct euler_axes {
+    int first, second, third;
+
+    bool is_proper() const { return first == third; }
+    // Whether the first axis, the second and the remaining one are right-handed.
+    bool is_cyclic() const { return second == (first + 1) % 3; }
+};
+constexpr euler_axes axes_of_order[] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0},
+                                        {0, 1, 0}, {0, 2, 0}, {1, 0, 1}, {1, 2, 1}, {2, 0, 2}, {2, 1, 2}};
+
+bool is_order(mw_euler_order order) { return order >= MW_EULER_XYZ && order <= MW_EULER_ZYZ; }
+
+// What the kernels take: three vectors, and a sign of the angles.
+template <class T> struct euler_frame {
+    T numbers[10] = {};
+
+    T &axis(int k, int component) { return numbers[3 * k + component]; }
+    T &sign() { return numbers[9]; }
+};
+
+template <class T>
+mw_status euler_to_motor(const view<T, 8> &out, const view<const T, 3> &angles, const view<const T, 3> &translations,
+                         std::size_t count, mw_euler_order order)
+{
+    if (kernels() && !is_order(order))
+        return MW_ERROR_EULER_ORDER;
+    const euler_axes axes = axes_of_order[order];
+    euler_frame<T> frame;
+    frame.axis(0, axes.first) = frame.axis(1, axes.second) = frame.axis(2, axes.third) = 1;
+    const T *const fixed = frame.numbers;
+    return run_streams(kernel_id::convert_euler_to_motor_each, fixed, to(out), count, angles, translations);
+}
+
+// The kernels take the first axis, the second and the remaining one to be right-handed. Where they are not, of three
+// different axes all are turned round, and the angles with them; of a proper order the remaining axis is.
+template <class T>
+mw_status motor_to_euler(const view<T, 3> &angles, const view<T, 3> &translations, const view<const T, 8> &motors,
+                         std::size_t count, mw_euler_order order)
+{
+    if (kernels() && !is_order(order))
+        return MW_ERROR_EULER_ORDER;
+    const euler_axes axes = axes_of_order[order];
+    const T hand = axes.is_cyclic() ? 1 : -1;
+    euler_frame<T> frame;
+    frame.sign() = axes.is_proper() ? T(1) : hand;
+    frame.axis(0, axes.first) = frame.axis(1, axes.second) = frame.sign();
+    frame.axis(2, 3 - axes.first - axes.second) = hand;
+    const T *const fixed = frame.numbers;
+    return run_streams(axes.is_proper() ? kernel_id::convert_motor_to_euler_proper_each
+                                        : kernel_id::convert_motor_to_euler_each,
+                       fixed, to(angles, translations), count, motors);
+}
+
+// ----------------------------------------------------------------------------------------------- screws and rotors
+
+template <class T, class Screws> view<T, 8> view_of_screws(const Screws &s)
+{
+    return {{s.ax, s.ay, s.az, s.px, s.py, s.pz, s.angle, s.distance}, s.stride};
+}
+
+template <class T>
+mw_status reverse_scaled(const view<T, 8> &out, const view<const T, 8> &in, std::size_t count, T lambda, T scale)
+{
+    if (kernels() && !(std::isfinite(lambda) && std::isfinite(1 / lambda) && lambda != 0))
+        return MW_ERROR_SCALE;
+    const T *const fixed = &scale;
+    return run_streams(kernel_id::convert_rotor_to_motor_each, fixed, to(out), count, in);
+}
+
+} // namespace
+} // namespace motorway
+
+using namespace motorway;
+
+#define MOTORWAY_CONVERSIONS(P, T)                                                                                    \
+    mw_status mw_convert_motor_to_pose_each_##P(mw_xyzw_##P quaternions, mw_xyz_##P translations,                     \
+                                                mw_const_motors_##P motors, size_t count)                             \
+    {                                                                                                                 \
+        return motor_to_pose<T>(view_of_xyzw<T>(quaternions), view_of_xyz<T>(translations),                           \
+                                view_of_motors<const T>(motors), count);                                              \
+    }                                                                                                                 \
+    mw_status mw_convert_pose_to_motor_each_##P(mw_motors_##P out, mw_const_xyzw_##P quaternions,                     \
+                                                mw_const_xyz_##P translations, size_t count)                          \
+    {                                                                                                                 \
+        return pose_to_motor<T>(view_of_motors<T>(out), view_of_xyzw<const T>(quaternions),                           \
+                                view_of_xyz<const T>(translations), count);                                           \
+    }                                                                                                                 \
+    mw_status mw_convert_motor_to_dual_quaternion_each_##P(mw_dual_quaternions_##P out, mw_const_motors_##P motors,   \
+                                                           size_t count)                                              \
+    {                                                                                                                 \
+        return motor_to_dual_quaternion<T>(view_of_dual_quaternions<T>(out), view_of_motors<const T>(motors), count); \
+    }                                                                                                                 \
+    mw_status mw_convert_dual_quaternion_to_motor_each_##P(mw_motors_##P out, mw_const_dual_quaternions_##P in,       \
+                                                           size_t count)                                              \
+    {                                                                                                                 \
+        return dual_quaternion_to_motor<T>(view_of_motors<T>(out), view_of_dual_quaternions<const T>(in), count);     \
+    }                                                                                                                 \
+    mw_status mw_convert_motor_to_axis_angle_each_##P(mw_xyzw_##P rotations, mw_xyz_##P translations,                 \
+                                                      mw_const_motors_##P motors, size_t count)                       \
+    {                                                                                                                 \
+        return convert<T>(kernel_id::convert_motor_to_axis_angle_each, count,                                         \
+                          to(view_of_xyzw<T>(rotations), view_of_xyz<T>(translations)),                               \
+                          view_of_motors<const T>(motors));                                                           \
+    }                                                                                                                 \
+    mw_status mw_convert_axis_angle_to_motor_each_##P(mw_motors_##P out, mw_const_xyzw_##P rotations,                 \
+                                                      mw_const_xyz_##P translations, size_t count)                    \
+    {                                                                                                                 \
+        return convert<T>(kernel_id::convert_axis_angle_to_motor_each, count, to(view_of_motors<T>(out)),             \
+                          view_of_xyzw<const T>(rotations), view_of_xyz<const T>(translations));                      \
+    }                                                                                                                 \
+    mw_status mw_convert_motor_to_euler_each_##P(mw_xyz_##P angles, mw_xyz_##P translations,                          \
+                                                 mw_const_motors_##P motors, size_t count, mw_euler_order order)      \
+    {                                                                                                                 \
+        return motor_to_euler<T>(view_of_xyz<T>(angles), view_of_xyz<T>(translations),                                \
+                                 view_of_motors<const T>(motors), count, order);                                      \
+    }                                                                                                                 \
+    mw_status mw_convert_euler_to_motor_each_##P(mw_motors_##P out, mw_const_xyz_##P angles,                          \
+                                                 mw_const_xyz_##P translations, size_t count, mw_euler_order order)   \
+    {                                                                                                                 \
+        return euler_to_motor<T>(view_of_motors<T>(out), view_of_xyz<const T>(angles),                                \
+                                 view_of_xyz<const T>(translations), count, order);                                   \
+    }                                                                                                                 \
+    mw_status mw_convert_translation_to_motor_each_##P(mw_motors_##P out, mw_const_xyz_##P translations, size_t count)\
+    {                                                                                                                 \
+        return convert<T>(kernel_id::convert_translation_to_motor_each, count, to(view_of_motors<T>(out)),            \
+                          view_of_xyz<const T>(translations));                                                        \
+    }                                                                                                                 \
+    mw_status mw_convert_motor_to_translation_each_##P(mw_xyz_##P translations, mw_const_motors_##P motors,           \
+                                                       size_t count)                                                  \
+    {                                                                                                                 \
+        return convert<T>(kernel_id::convert_motor_to_translation_each, count, to(view_of_xyz<T>(translations)),      \
+                          view_of_motors<const T>(motors));                                                           \
+    }                                                                                                                 \
+    mw_status mw_convert_motor_to_screw_each_##P(mw_screws_##P out, mw_const_motors_##P motors, size_t count)         \
+    {                                                                                                                 \
+        return convert<T>(kernel_id::convert_motor_to_screw_each, count, to(view_of_screws<T>(out)),                  \
+                          view_of_motors<const T>(motors));                                                           \
+    }                                                                                                                 \
+    mw_status mw_convert_screw_to_motor_each_##P(mw_motors_##P out, mw_const_screws_##P screws, size_t count)         \
+    {                                                                                                                 \
+        return convert<T>(kernel_id::convert_screw_to_motor_each, count, to(view_of_motors<T>(out)),                  \
+                          view_of_screws<const T>(screws));                                                           \
+    }                                                                                                                 \
+    mw_status mw_convert_motor_to_rotor_each_##P(mw_motors_##P rotors, mw_const_motors_##P motors, size_t count,      \
+                                                 T lambda)                                                            \
+    {                                                                                                                 \
+        return reverse_scaled<T>(view_of_motors<T>(rotors), view_of_motors<const T>(motors), count, lambda,           \
+                                 1 / lambda);                                                                         \
+    }                                                                                                                 \
+    mw_status mw_convert_rotor_to_motor_each_##P(mw_motors_##P out, mw_const_motors_##P rotors, size_t count,         \
+                                                 T lambda)                                                            \
+    {                                                                                                                 \
+        return reverse_scaled<T>(view_of_motors<T>(out), view_of_motors<const T>(rotors), count, lambda, lambda);     \
+    }
+
+MOTORWAY_CONVERSIONS(f32, float)
+MOTORWAY_CONVERSIONS(f64, double)

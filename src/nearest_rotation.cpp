@@ -1,0 +1,81 @@
+#include "nearest_rotation.h"
+
+#include <cmath>
+
+namespace motorway {
+namespace {
+
+constexpr int order = 4;
+using square = double[order][order];
+
+// The quaternion (w, x, y, z) of the nearest rotation is the eigenvector of this matrix to its largest eigenvalue: its
+// quadratic form is the sum of the products of the elements of R and the given matrix (Horn; Davenport).
+void quadratic_form(const double (&m)[3][3], square &k)
+{
+    const square full = {
+        {m[0][0] + m[1][1] + m[2][2], m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]},
+        {m[2][1] - m[1][2], m[0][0] - m[1][1] - m[2][2], m[1][0] + m[0][1], m[0][2] + m[2][0]},
+        {m[0][2] - m[2][0], m[1][0] + m[0][1], m[1][1] - m[0][0] - m[2][2], m[2][1] + m[1][2]},
+        {m[1][0] - m[0][1], m[0][2] + m[2][0], m[2][1] + m[1][2], m[2][2] - m[0][0] - m[1][1]}};
+    __builtin_memcpy(k, full, sizeof full);
+}
+
+// One of Jacobi's rotations: makes k[p][q] zero, and turns the columns of `vectors` likewise.
+void rotate(square &k, square &vectors, int p, int q)
+{
+    if (k[p][q] == 0)
+        return;
+    const double cotangent = (k[q][q] - k[p][p]) / (2 * k[p][q]);
+    const double t = std::copysign(1 / (std::fabs(cotangent) + std::hypot(1, cotangent)), cotangent);
+    const double c = 1 / std::hypot(1, t), s = t * c;
+    const auto turn = [c, s](double &a, double &b) {
+        const double old = a;
+        a = c * old - s * b;
+        b = s * old + c * b;
+    };
+    for (int i = 0; i < order; ++i)
+        turn(k[i][p], k[i][q]);
+    for (int i = 0; i < order; ++i)
+        turn(k[p][i], k[q][i]);
+    for (int i = 0; i < order; ++i)
+        turn(vectors[i][p], vectors[i][q]);
+}
+
+double largest_of(const double (&m)[3][3])
+{
+    double largest = 0;
+    for (const auto &row : m)
+        for (double value : row)
+            largest = std::fmax(largest, std::fabs(value));
+    return largest;
+}
+
+} // namespace
+
+void nearest_motor(const double (&matrix)[3][3], const double (&translation)[3], double (&motor)[8])
+{
+    const double size = largest_of(matrix), scale = size > 0 ? 1 / size : 1;
+    double scaled[3][3];
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c)
+            scaled[r][c] = matrix[r][c] * scale;
+    square k, vectors = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    quadratic_form(scaled, k);
+    for (int sweep = 0; sweep < 8; ++sweep) // converges quadratically: five are enough
+        for (int p = 0; p < order; ++p)
+            for (int q = p + 1; q < order; ++q)
+                rotate(k, vectors, p, q);
+    int best = 0;
+    for (int i = 1; i < order; ++i)
+        best = k[i][i] > k[best][best] ? i : best;
+    const double sign = vectors[0][best] < 0 ? -1 : 1;
+    const double w = sign * vectors[0][best], x = sign * vectors[1][best], y = sign * vectors[2][best],
+                 z = sign * vectors[3][best];
+    // The rotation, and then half the translation: R (1 + ½ t e∞).
+    const double tx = translation[0] / 2, ty = translation[1] / 2, tz = translation[2] / 2;
+    const double result[8] = {w, z, -y, x, w * tx + ty * z - tz * y, w * ty + tz * x - tx * z,
+                              w * tz + tx * y - ty * x, tx * x + ty * y + tz * z};
+    __builtin_memcpy(motor, result, sizeof result);
+}
+
+} // namespace motorway

@@ -1,0 +1,151 @@
+// Kernels from streams of elements to streams of elements, of any number and size: validated and called.
+#pragma once
+
+#include "dispatch.h"
+#include "view.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace motorway {
+
+// One number an element, or with stride 0 one for all.
+template <class T> struct numbers {
+    const T *first;
+    std::size_t stride;
+
+    view<const T, 1> as_view() const { return {{first}, stride}; }
+};
+
+// What a call writes.
+template <class... Views> using outputs = std::tuple<const Views &...>;
+template <class... Views> outputs<Views...> to(const Views &...out) { return {out...}; }
+
+// ---------------------------------------------------------------------------------------------------- validation
+
+template <class T, int N> mw_status check_input(const view<const T, N> &in, std::size_t count)
+{
+    return check_view(in, count);
+}
+template <class T> mw_status check_input(const numbers<T> &in, std::size_t count)
+{
+    return in.stride == 0 ? check_array(in.first, 1) : check_view(in.as_view(), count);
+}
+
+template <class T, int N, int M>
+mw_status check_apart(const view<T, N> &out, const view<const T, M> &in, std::size_t count)
+{
+    return check_overlap(out, in, count);
+}
+template <class T, int N> mw_status check_apart(const view<T, N> &out, const numbers<T> &in, std::size_t count)
+{
+    return in.stride == 0 ? check_overlap(out, in.first, 1, count) : check_overlap(out, in.as_view(), count);
+}
+
+// Two outputs share no byte; no output shares one with an input but for being the same.
+template <class T, int N, class... Inputs>
+mw_status check_streams(const outputs<view<T, N>> &out, std::size_t count, const Inputs &...in)
+{
+    mw_status status = check_view(std::get<0>(out), count);
+    ((status = status != MW_OK ? status : check_input(in, count)), ...);
+    ((status = status != MW_OK ? status : check_apart(std::get<0>(out), in, count)), ...);
+    return status;
+}
+template <class T, int N, int M, class... Inputs>
+mw_status check_streams(const outputs<view<T, N>, view<T, M>> &out, std::size_t count, const Inputs &...in)
+{
+    const auto &[first, second] = out;
+    mw_status status = check_streams(to(first), count, in...);
+    status = status != MW_OK ? status : check_streams(to(second), count, in...);
+    if (status == MW_OK && is_same(first, second.as_const()))
+        return MW_ERROR_OVERLAP;
+    return status != MW_OK ? status : check_overlap(first, second.as_const(), count);
+}
+
+// The usual calls, in a few instructions (view.h).
+template <class T, int N, int M>
+bool is_usual_input(const view<T, N> &out, const byte_range &range, const view<const T, M> &in, std::size_t count)
+{
+    return is_usual(out, range, in, count);
+}
+template <class T, int N>
+bool is_usual_input(const view<T, N> &out, const byte_range &range, const numbers<T> &in, std::size_t count)
+{
+    return in.stride != 0 && is_usual(out, range, in.as_view(), count);
+}
+
+template <class T, int N, class... Inputs>
+bool is_usual_call(const outputs<view<T, N>> &out, std::size_t count, const Inputs &...in)
+{
+    const byte_range range = usual_range(std::get<0>(out), count);
+    return (is_usual_input(std::get<0>(out), range, in, count) && ...);
+}
+template <class T, int N, int M, class... Inputs>
+bool is_usual_call(const outputs<view<T, N>, view<T, M>> &out, std::size_t count, const Inputs &...in)
+{
+    const auto &[first, second] = out;
+    return !usual_range(first, count).meets(usual_range(second, count)) && is_usual_call(to(first), count, in...) &&
+           is_usual_call(to(second), count, in...);
+}
+
+// ---------------------------------------------------------------------------------------------------------- calls
+
+// A validated call. `fixed` is what all elements share, if anything.
+template <class T, class... Outputs, class... Inputs>
+void call_streams(kernel_id id, const T *fixed, const outputs<Outputs...> &out, std::size_t count, const Inputs &...in)
+{
+    std::apply(
+        [&](const auto &...to) {
+            const stream<T> to_streams[] = {to.as_stream()...};
+            const stream<const T> from[] = {in.as_stream()...};
+            call<T> arguments;
+            arguments.out = to_streams;
+            arguments.in = from;
+            arguments.count = count;
+            arguments.fixed = fixed;
+            find<T>(*kernels(), id)(arguments);
+        },
+        out);
+}
+
+template <class T, class... Outputs, int... N>
+void call_inputs(kernel_id id, const T *fixed, const outputs<Outputs...> &out, std::size_t count,
+                 const view<const T, N> &...in)
+{
+    call_streams(id, fixed, out, count, in...);
+}
+
+// Numbers are a kernel's last input. One for all is repeated, so that it is read like any other.
+template <class T, class Output, int... N>
+void call_inputs(kernel_id id, const T *fixed, const outputs<Output> &out, std::size_t count,
+                 const numbers<T> &parameter, const view<const T, N> &...in)
+{
+    if (parameter.stride != 0)
+        return call_streams(id, fixed, out, count, in..., parameter.as_view());
+    constexpr std::size_t chunk = 256;
+    T same[chunk];
+    std::fill_n(same, std::min(chunk, count), *parameter.first);
+    for (std::size_t begin = 0; begin < count; begin += chunk)
+        call_streams(id, fixed, to(std::get<0>(out).from(begin)), std::min(chunk, count - begin), in.from(begin)...,
+                     view<const T, 1>{{same}, sizeof(T)});
+}
+
+// A call of the API. The inputs are views; numbers, if any, come before them.
+template <class T, class... Outputs, class... Inputs>
+mw_status run_streams(kernel_id id, const T *fixed, const outputs<Outputs...> &out, std::size_t count,
+                      const Inputs &...in)
+{
+    if (!kernels())
+        return MW_ERROR_ISA;
+    if (count == 0)
+        return MW_OK;
+    if (!is_usual_call(out, count, in...)) {
+        const mw_status status = check_streams(out, count, in...);
+        if (status != MW_OK)
+            return status;
+    }
+    call_inputs(id, fixed, out, count, in...);
+    return MW_OK;
+}
+
+} // namespace motorway

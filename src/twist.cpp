@@ -1,0 +1,105 @@
+// Wareham and Lasenby's parts of a generator, and its motion in closed form. Scalar, in double.
+#include "motorway.h"
+
+#include <cmath>
+
+namespace motorway {
+namespace {
+
+constexpr double unit_tolerance = 1.0 / 1024; // of the length of an axis
+
+struct vector3 {
+    double x, y, z;
+};
+vector3 operator+(const vector3 &a, const vector3 &b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+vector3 operator-(const vector3 &a, const vector3 &b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+vector3 operator*(double a, const vector3 &b) { return {a * b.x, a * b.y, a * b.z}; }
+double dot(const vector3 &a, const vector3 &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+vector3 cross(const vector3 &a, const vector3 &b)
+{
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double length(const vector3 &a) { return std::hypot(a.x, a.y, a.z); }
+bool is_finite(const vector3 &a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+
+template <class T> vector3 vector_of(const T (&v)[3]) { return {v[0], v[1], v[2]}; }
+template <class T> void assign(T *to, const vector3 &v)
+{
+    to[0] = static_cast<T>(v.x), to[1] = static_cast<T>(v.y), to[2] = static_cast<T>(v.z);
+}
+
+template <class T, class Twist> mw_status split_bivector(Twist *out, const T *b)
+{
+    if (!out || !b)
+        return MW_ERROR_NULL;
+    const vector3 turn = {b[2], -double(b[1]), b[0]}, moment = {b[3], b[4], b[5]};
+    if (!is_finite(turn) || !is_finite(moment))
+        return MW_ERROR_AXIS;
+    const double half_angle = length(turn);
+    const vector3 axis = half_angle > 0 ? (1 / half_angle) * turn : vector3{0, 0, 1};
+    const vector3 along = 2 * dot(axis, moment) * axis;
+    assign(out->axis, axis);
+    out->angle = static_cast<T>(2 * half_angle);
+    assign(out->along, along);
+    assign(out->across, 2 * moment - along);
+    return MW_OK;
+}
+
+template <class Twist> mw_status check_twist(const Twist *twist, double lambda)
+{
+    if (!twist)
+        return MW_ERROR_NULL;
+    const vector3 axis = vector_of(twist->axis);
+    const bool finite = is_finite(vector_of(twist->along)) && is_finite(vector_of(twist->across)) &&
+                        std::isfinite(twist->angle) && std::isfinite(lambda);
+    return finite && std::fabs(length(axis) - 1) <= unit_tolerance ? MW_OK : MW_ERROR_AXIS;
+}
+
+double sinc(double x) { return x == 0 ? 1 : std::sin(x) / x; }
+
+// exp(λB) = τ + sinc(λψ/2) λ across e∞ / 2, with the twist τ = (cos λψ/2 + sin λψ/2 axis e123)(1 + λ along e∞ / 2).
+template <class T, class Motor, class Twist> mw_status twist_pose(Motor *out, const Twist *twist, T lambda)
+{
+    const mw_status status = out ? check_twist(twist, lambda) : MW_ERROR_NULL;
+    if (status != MW_OK)
+        return status;
+    const double half = double(lambda) * twist->angle / 2, c = std::cos(half), s = std::sin(half);
+    const vector3 axis = vector_of(twist->axis), along = vector_of(twist->along), across = vector_of(twist->across);
+    const vector3 ideal = lambda / 2.0 * (c * along + sinc(half) * across);
+    const double w = lambda / 2.0 * s * dot(axis, along);
+    *out = {static_cast<T>(c),       static_cast<T>(s * axis.z), static_cast<T>(-s * axis.y), static_cast<T>(s * axis.x),
+            static_cast<T>(ideal.x), static_cast<T>(ideal.y),    static_cast<T>(ideal.z),     static_cast<T>(w)};
+    return MW_OK;
+}
+
+// r_λ: `across` turned by half the angle and shortened by the sinc of it, and λ along.
+template <class T, class Twist> mw_status twist_position(T *out, const Twist *twist, T lambda)
+{
+    const mw_status status = out ? check_twist(twist, lambda) : MW_ERROR_NULL;
+    if (status != MW_OK)
+        return status;
+    const double half = double(lambda) * twist->angle / 2;
+    const vector3 axis = vector_of(twist->axis), along = vector_of(twist->along), across = vector_of(twist->across);
+    const vector3 turned = std::cos(half) * across + std::sin(half) * cross(axis, across);
+    assign(out, double(lambda) * (sinc(half) * turned + along));
+    return MW_OK;
+}
+
+} // namespace
+} // namespace motorway
+
+using namespace motorway;
+
+#define MOTORWAY_TWISTS(P, T)                                                                                         \
+    mw_status mw_split_bivector_##P(mw_twist_##P *out, const T bivector[6]) { return split_bivector(out, bivector); } \
+    mw_status mw_twist_pose_##P(mw_motor_##P *out, const mw_twist_##P *twist, T lambda)                               \
+    {                                                                                                                 \
+        return twist_pose(out, twist, lambda);                                                                        \
+    }                                                                                                                 \
+    mw_status mw_twist_position_##P(T out[3], const mw_twist_##P *twist, T lambda)                                    \
+    {                                                                                                                 \
+        return twist_position(out, twist, lambda);                                                                    \
+    }
+
+MOTORWAY_TWISTS(f32, float)
+MOTORWAY_TWISTS(f64, double)
