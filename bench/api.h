@@ -25,9 +25,7 @@ template <class T> struct api;
         using const_motors = mw_const_motors_##P;                                                                    \
         using weights = mw_weights_##P;                                                                              \
         static constexpr auto const_motors_aos = mw_const_motors_##P##_aos;                                          \
-        static constexpr auto compose_motor_each = mw_compose_motor_each_##P;                                        \
-        static constexpr auto reverse_motor_each = mw_reverse_motor_each_##P;                                        \
-        static constexpr auto normalize_motor_each = mw_normalize_motor_each_##P;                                    \
+        static constexpr auto compose_motor_hierarchy = mw_compose_motor_hierarchy_##P;                              \
         static constexpr auto blend_motor_one = mw_blend_motor_one_##P;                                              \
         static constexpr auto blend_motor_each = mw_blend_motor_each_##P;                                            \
     };

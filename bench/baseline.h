@@ -103,7 +103,8 @@ template <int Scalars, class F> work with_stride(layout kind, F visit)
 template <class V, class T, class F> work move_points(const problem<T> &p, F map)
 {
     return with_stride<3>(p.kind, [&](auto stride) {
-        return make_work([map, in = points_of<stride>(p.in[0]), out = points_of<stride>(p.out), count = p.count] {
+        const auto in = points_of<stride>(p.in[0]), out = points_of<stride>(p.out[0]);
+        return make_work([=, count = p.count] {
             const F move = map;
             for (std::size_t i = 0; i < count; ++i)
                 out.store(i, move(i, in.template load<V>(i)));
@@ -115,7 +116,8 @@ template <class V, class T, class F> work move_points(const problem<T> &p, F map
 template <class V, class T, class F> work move_poses(const problem<T> &p, F map_of)
 {
     return with_stride<3>(p.kind, [&](auto stride) {
-        return make_work([map_of, in = points_of<stride>(p.in[0]), out = points_of<stride>(p.out), count = p.count] {
+        const auto in = points_of<stride>(p.in[0]), out = points_of<stride>(p.out[0]);
+        return make_work([=, count = p.count] {
             for (std::size_t m = 0; m < shared_motors; ++m) {
                 const auto move = map_of(m);
                 for (std::size_t i = 0; i < count; ++i)
@@ -130,8 +132,8 @@ template <class V, class T, class F, class G> work move_vertices(const problem<T
 {
     return with_stride<6>(p.kind, [&](auto stride) {
         const auto positions = points_of<stride>(p.in[0]), normals = points_of<stride>(p.in[0], 3);
-        return make_work([=, out_positions = points_of<stride>(p.out), out_normals = points_of<stride>(p.out, 3),
-                          count = p.count] {
+        const auto out_positions = points_of<stride>(p.out[0]), out_normals = points_of<stride>(p.out[0], 3);
+        return make_work([=, count = p.count] {
             const F move_position = map_position;
             const G move_normal = map_normal;
             for (std::size_t i = 0; i < count; ++i) {

@@ -1,5 +1,6 @@
 // Eigen: an isometry (a 4×4 matrix) for one motion, and a quaternion and a translation for one motion a point.
-// Separate arrays are moved as arrays, which Eigen vectorises.
+// Separate arrays are moved as arrays, which Eigen vectorises. It interpolates quaternions alone: beside whole motors
+// that is half of the work.
 #include "baseline.h"
 
 #include <Eigen/Geometry>
@@ -36,7 +37,7 @@ template <class T> work move_arrays(const problem<T> &p, const isometry<T> &moti
 {
     using input = Eigen::Map<const Eigen::Array<T, Eigen::Dynamic, 1>, Eigen::Aligned64>;
     using output = Eigen::Map<Eigen::Array<T, Eigen::Dynamic, 1>, Eigen::Aligned64>;
-    const auto in = p.in[0].component(), out = p.out.component();
+    const auto in = p.in[0].component(), out = p.out[0].component();
     const auto size = static_cast<Eigen::Index>(p.count);
     return make_work([=] {
         const input x(in[0], size), y(in[1], size), z(in[2], size);
@@ -83,6 +84,37 @@ template <class T> work move_by_isometries(const problem<T> &p)
     return {};
 }
 
+template <class T> auto quaternions_of(const array<T> &motors, std::size_t count)
+{
+    auto converted = std::make_shared<std::vector<Eigen::Quaternion<T>>>();
+    for (std::size_t i = 0; i < count; ++i)
+        converted->push_back(quaternion_and_translation_of<T>(rigid_of(motor_at(motors, i))).rotation);
+    return converted;
+}
+
+template <class T> work interpolate_rotations(const problem<T> &p)
+{
+    const auto first = quaternions_of(p.in[0], p.count), second = quaternions_of(p.in[1], p.count);
+    const auto out = std::make_shared<std::vector<Eigen::Quaternion<T>>>(p.count);
+    work todo = make_work(
+        [=, parameters = p.in[2].component()[0], count = p.count] {
+            const auto *const a = first->data(), *const b = second->data();
+            auto *const c = out->data();
+            for (std::size_t i = 0; i < count; ++i)
+                c[i] = a[i].slerp(parameters[i], b[i]);
+        },
+        [=, &p] {
+            for (std::size_t i = 0; i < p.count; ++i) {
+                const Eigen::Quaternion<T> &q = (*out)[i];
+                const auto motor = motor_of<T>({q.w(), q.x(), q.y(), q.z(), 0, 0, 0, 0});
+                for (std::size_t k = 0; k < 4; ++k)
+                    p.out[0].at(k, i) = motor[k];
+            }
+        });
+    todo.components = 4;
+    return todo;
+}
+
 } // namespace
 
 template <class T> work bind_eigen(const problem<T> &p)
@@ -98,6 +130,8 @@ template <class T> work bind_eigen(const problem<T> &p)
             return (*motions)[i].rotation * v;
         });
     }
+    if (p.kernel == "slerp_motor_each" && p.kind == layout::packed)
+        return interpolate_rotations(p);
     return move_by_isometries(p);
 }
 

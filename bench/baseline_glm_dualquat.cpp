@@ -50,7 +50,7 @@ template <class T> work compose(const problem<T> &p)
         },
         [=, &p] {
             for (std::size_t i = 0; i < p.count; ++i)
-                write_motor(p.out, i, (*out)[i]);
+                write_motor(p.out[0], i, (*out)[i]);
         });
 }
 

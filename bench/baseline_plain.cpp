@@ -114,13 +114,13 @@ template <class T, class M> void prepare_apply(operands<T, M> &o, const problem<
         o.arguments.rigids = o.rigids[0].component();
     }
     o.in.push_back(p.in[0].component());
-    o.arguments.out = p.out.component();
+    o.arguments.out = p.out[0].component();
 }
 
 // An array of as many components, laid out like another.
 template <class T> array<T> array_like(const array<T> &other, const problem<T> &p, std::size_t place)
 {
-    return {other.components(), other.stride() / sizeof(T), p.kind, p.count, place};
+    return {other.components(), other.stride() / sizeof(T), p.kind, p.elements, place};
 }
 
 template <class T> void prepare_motors(operands<T, T> &o, const problem<T> &p)
@@ -131,7 +131,7 @@ template <class T> void prepare_motors(operands<T, T> &o, const problem<T> &p)
     for (const auto &in : p.in) {
         if (in.components() == components) {
             o.duals.push_back(array_like(in, p, place));
-            convert_array(o.duals.back(), in, p.count, dual_quaternion_of<double>);
+            convert_array(o.duals.back(), in, p.elements, dual_quaternion_of<double>);
             o.in.push_back(o.duals.back().component());
         } else
             o.in.push_back(in.component()); // weights
@@ -143,19 +143,19 @@ template <class T> void prepare_motors(operands<T, T> &o, const problem<T> &p)
         for (T component : dual_quaternion_of(motor))
             o.fixed.push_back(component);
     }
-    o.duals.push_back(array_like(p.out, p, 0));
+    o.duals.push_back(array_like(p.out[0], p, 0));
     o.arguments.out = o.duals.back().component();
 }
 
 template <class T> void publish(const array<T> &result, const problem<T> &p)
 {
-    for (std::size_t i = 0; i < p.count; ++i) {
+    for (std::size_t i = 0; i < p.elements; ++i) {
         std::array<T, 8> q;
         for (std::size_t k = 0; k < q.size(); ++k)
             q[k] = result.at(k, i);
         const auto motor = motor_of(q);
         for (std::size_t k = 0; k < motor.size(); ++k)
-            p.out.at(k, i) = motor[k];
+            p.out[0].at(k, i) = motor[k];
     }
 }
 
@@ -163,7 +163,7 @@ template <class T, class M> std::function<void()> prepare(const std::shared_ptr<
                                                           const problem<T, M> &p)
 {
     if constexpr (std::is_same_v<T, M>)
-        if (p.out.components() == 8) {
+        if (p.out[0].components() == 8) {
             prepare_motors(*o, p);
             return [=, &p] { publish(o->duals.back(), p); };
         }
@@ -183,6 +183,7 @@ template <class T, class M> work bind_plain(const plain_table &table, const prob
     o->arguments.in = o->in.data();
     o->arguments.fixed = o->fixed.data();
     o->arguments.indices = p.indices.data();
+    o->arguments.parents = p.parents.data();
     o->arguments.count = p.count;
     return make_work([=] { loop(&o->arguments); }, publish_results);
 }

@@ -100,7 +100,7 @@ template <> work bind_stream(const problem<float> &p)
     if (p.kind == layout::soa || !(point || p.kernel == "apply_direction_one"))
         return {};
     const auto matrix = std::make_shared<row_matrix>(rows_of(rigid_of(fixed_motor(p)), point));
-    return make_work([=, in = &p.in[0], out = &p.out, count = p.count] {
+    return make_work([=, in = &p.in[0], out = &p.out[0], count = p.count] {
         transform_stream(reinterpret_cast<char *>(out->component()[0]), out->stride(),
                          reinterpret_cast<const char *>(in->component()[0]), in->stride(), count, *matrix);
     });

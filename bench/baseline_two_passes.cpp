@@ -10,7 +10,7 @@ template <class T> work bind_two_passes(const problem<T> &p)
         return {};
     using functions = apply_functions<operand::vertex, T, T>;
     const auto in = view_of<typename functions::const_view>(p.in[0]);
-    const auto out = view_of<typename functions::view>(p.out);
+    const auto out = view_of<typename functions::view>(p.out[0]);
     const auto *const motor = reinterpret_cast<const typename api<T>::motor *>(p.fixed.data());
     return make_work([=, count = p.count] {
         require(apply_functions<operand::point, T, T>::one(out.position, motor, in.position, count, MW_DEFAULT));

@@ -21,6 +21,7 @@
     X(apply_vertex_grid)                                                                                             \
     X(apply_vertex_indexed)                                                                                          \
     X(compose_motor_each)                                                                                            \
+    X(compose_motor_hierarchy)                                                                                       \
     X(reverse_motor_each)                                                                                            \
     X(normalize_motor_each)                                                                                          \
     X(blend_motor_one)                                                                                               \
@@ -36,6 +37,7 @@
         const W *const *rigids;  /* a quaternion and a translation of every element */                               \
         const W *fixed;          /* what all elements share: matrices, or dual quaternions */                        \
         const uint16_t *indices; /* of every element's matrix */                                                     \
+        const int32_t *parents;  /* of the joints of a skeleton */                                                   \
         size_t count;                                                                                                \
     };                                                                                                               \
     typedef void (*plain_loop_##precision)(const struct plain_arguments_##precision *arguments);                     \
@@ -66,6 +68,9 @@ enum { PLAIN_VERTEX_STRIDE = 8, PLAIN_MOTOR_STRIDE = 12 };
 
 /* Matrices of a grid. The loops know it, as programs know the size of their skeletons. */
 enum { PLAIN_MOTORS = 64 };
+
+/* Joints of a skeleton. */
+enum { PLAIN_JOINTS = 64 };
 
 /* Terms of a blend. The loops know it, so that compilers can unroll. */
 enum { PLAIN_TERMS = 4 };

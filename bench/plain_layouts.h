@@ -17,6 +17,7 @@
 
 #define POINTS_OF(from) POINTS_FROM(from, 0)
 #define VERTICES_OF(from) VERTICES_FROM(from, 0)
+#define DUALS_OF(from) DUALS_FROM(from, 0)
 
 /* An array a component. */
 #define LAYOUT soa
@@ -30,8 +31,9 @@
 #define RIGIDS_OF(from) SEVEN_FROM(from, 0)
 #define RIGID(name, k, i) name##k[i]
 #define DUALS EIGHT
-#define DUALS_OF(from) EIGHT_FROM(from, 0)
+#define DUALS_FROM EIGHT_FROM
 #define DUAL(name, k, i) name##k[i]
+#define SIDE_BY_SIDE
 #define WEIGHTS FOUR
 #define WEIGHTS_OF(from) FOUR_FROM(from, 0)
 #define WEIGHT(name, k, i) name##k[i]
@@ -47,8 +49,9 @@
 #undef RIGIDS_OF
 #undef RIGID
 #undef DUALS
-#undef DUALS_OF
+#undef DUALS_FROM
 #undef DUAL
+#undef SIDE_BY_SIDE
 #undef WEIGHTS
 #undef WEIGHTS_OF
 #undef WEIGHT
@@ -60,7 +63,7 @@
 #define RIGIDS_OF(from) ONE_FROM(from, 0)
 #define RIGID(name, k, i) name##0[7 * (i) + k]
 #define DUALS ONE
-#define DUALS_OF(from) ONE_FROM(from, 0)
+#define DUALS_FROM ONE_FROM
 #define WEIGHTS ONE
 #define WEIGHTS_OF(from) ONE_FROM(from, 0)
 #define WEIGHT(name, k, i) name##0[PLAIN_TERMS * (i) + k]
@@ -103,6 +106,7 @@
 #undef RIGIDS_OF
 #undef RIGID
 #undef DUALS
+#undef DUALS_FROM
 #undef DUALS_OF
 #undef WEIGHTS
 #undef WEIGHTS_OF

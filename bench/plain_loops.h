@@ -160,25 +160,70 @@ LOOP(apply_vertex_indexed, (VERTICES_OF(a->out), VERTICES_OF(a->in[0]), a->fixed
 
 /* ------------------------------------------------------------------------------------------- dual quaternions --- */
 
-/* (a + ε b)(c + ε d) = a c + ε (a d + b c), where a + ε b is the later motion. */
+/* (a + ε b)(c + ε d) = a c + ε (a d + b c), where a + ε b is the later motion. Of elements t and f, to o. */
+#define COMPOSE(out, o, first, f, then, t)                                                                           \
+    {                                                                                                                \
+        const REAL aw = DUAL(then, 0, t), ax = DUAL(then, 1, t), ay = DUAL(then, 2, t), az = DUAL(then, 3, t);       \
+        const REAL bw = DUAL(then, 4, t), bx = DUAL(then, 5, t), by = DUAL(then, 6, t), bz = DUAL(then, 7, t);       \
+        const REAL cw = DUAL(first, 0, f), cx = DUAL(first, 1, f), cy = DUAL(first, 2, f), cz = DUAL(first, 3, f);   \
+        const REAL dw = DUAL(first, 4, f), dx = DUAL(first, 5, f), dy = DUAL(first, 6, f), dz = DUAL(first, 7, f);   \
+        DUAL(out, 0, o) = aw * cw - ax * cx - ay * cy - az * cz;                                                     \
+        DUAL(out, 1, o) = aw * cx + ax * cw + ay * cz - az * cy;                                                     \
+        DUAL(out, 2, o) = aw * cy - ax * cz + ay * cw + az * cx;                                                     \
+        DUAL(out, 3, o) = aw * cz + ax * cy - ay * cx + az * cw;                                                     \
+        DUAL(out, 4, o) = aw * dw - ax * dx - ay * dy - az * dz + bw * cw - bx * cx - by * cy - bz * cz;             \
+        DUAL(out, 5, o) = aw * dx + ax * dw + ay * dz - az * dy + bw * cx + bx * cw + by * cz - bz * cy;             \
+        DUAL(out, 6, o) = aw * dy - ax * dz + ay * dw + az * dx + bw * cy - bx * cz + by * cw + bz * cx;             \
+        DUAL(out, 7, o) = aw * dz + ax * dy - ay * dx + az * dw + bw * cz + bx * cy - by * cx + bz * cw;             \
+    }
+#define COPY(k, out, o, in, i) DUAL(out, k, o) = DUAL(in, k, i)
+#define COPY_ALL(out, o, in, i)                                                                                      \
+    {                                                                                                                \
+        COPY(0, out, o, in, i), COPY(1, out, o, in, i), COPY(2, out, o, in, i), COPY(3, out, o, in, i);              \
+        COPY(4, out, o, in, i), COPY(5, out, o, in, i), COPY(6, out, o, in, i), COPY(7, out, o, in, i);              \
+    }
+
 LOOP(compose_motor_each, (DUALS_OF(a->out), DUALS_OF(a->in[0]), DUALS_OF(a->in[1]), a->count),
      DUALS(REAL, out), DUALS(const REAL, first), DUALS(const REAL, then), size_t count)
 {
-    for (size_t i = 0; i < count; ++i) {
-        const REAL aw = DUAL(then, 0, i), ax = DUAL(then, 1, i), ay = DUAL(then, 2, i), az = DUAL(then, 3, i);
-        const REAL bw = DUAL(then, 4, i), bx = DUAL(then, 5, i), by = DUAL(then, 6, i), bz = DUAL(then, 7, i);
-        const REAL cw = DUAL(first, 0, i), cx = DUAL(first, 1, i), cy = DUAL(first, 2, i), cz = DUAL(first, 3, i);
-        const REAL dw = DUAL(first, 4, i), dx = DUAL(first, 5, i), dy = DUAL(first, 6, i), dz = DUAL(first, 7, i);
-        DUAL(out, 0, i) = aw * cw - ax * cx - ay * cy - az * cz;
-        DUAL(out, 1, i) = aw * cx + ax * cw + ay * cz - az * cy;
-        DUAL(out, 2, i) = aw * cy - ax * cz + ay * cw + az * cx;
-        DUAL(out, 3, i) = aw * cz + ax * cy - ay * cx + az * cw;
-        DUAL(out, 4, i) = aw * dw - ax * dx - ay * dy - az * dz + bw * cw - bx * cx - by * cy - bz * cz;
-        DUAL(out, 5, i) = aw * dx + ax * dw + ay * dz - az * dy + bw * cx + bx * cw + by * cz - bz * cy;
-        DUAL(out, 6, i) = aw * dy - ax * dz + ay * dw + az * dx + bw * cy - bx * cz + by * cw + bz * cx;
-        DUAL(out, 7, i) = aw * dz + ax * dy - ay * dx + az * dw + bw * cz + bx * cy - by * cx + bz * cw;
+    for (size_t i = 0; i < count; ++i)
+        COMPOSE(out, i, first, i, then, i)
+}
+
+/* Skeletons: the motion of a joint, and then that of its parent. */
+#ifdef SIDE_BY_SIDE
+static void NAME(copy_motors)(DUALS(REAL, out), DUALS(const REAL, in), size_t count)
+{
+    for (size_t i = 0; i < count; ++i)
+        COPY_ALL(out, i, in, i)
+}
+
+static void NAME(compose_motor_hierarchy)(const ARGUMENTS *a)
+{
+    for (size_t j = 0; j < PLAIN_JOINTS; ++j) {
+        const size_t first = j * a->count;
+        if (a->parents[j] < 0)
+            NAME(copy_motors)(DUALS_FROM(a->out, first), DUALS_FROM(a->in[0], first), a->count);
+        else
+            NAME(compose_motor_each_loop)(DUALS_FROM(a->out, first), DUALS_FROM(a->in[0], first),
+                                          DUALS_FROM(a->out, (size_t)a->parents[j] * a->count), a->count);
     }
 }
+#else
+LOOP(compose_motor_hierarchy, (DUALS_OF(a->out), DUALS_OF(a->in[0]), a->parents, a->count),
+     DUALS(REAL, out), DUALS(const REAL, local), const int32_t *restrict parents, size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        const size_t first = i * PLAIN_JOINTS;
+        for (size_t j = 0; j < PLAIN_JOINTS; ++j) {
+            if (parents[j] < 0)
+                COPY_ALL(out, first + j, local, first + j)
+            else
+                COMPOSE(out, first + j, local, first + j, out, first + (size_t)parents[j])
+        }
+    }
+}
+#endif
 
 LOOP(reverse_motor_each, (DUALS_OF(a->out), DUALS_OF(a->in[0]), a->count),
      DUALS(REAL, out), DUALS(const REAL, in), size_t count)
@@ -261,6 +306,9 @@ LOOP(blend_motor_each, (DUALS_OF(a->out), WEIGHTS_OF(a->in[0]), DUALS_OF(a->in[1
 
 #endif
 
+#undef COMPOSE
+#undef COPY
+#undef COPY_ALL
 #undef LOOP
 #undef LOAD_ROTATION
 #undef LOAD_MATRIX

@@ -33,6 +33,9 @@ public:
     // of two, would meet in the same sets of the cache.
     array(std::size_t components, std::size_t stride, layout kind, std::size_t count, std::size_t place);
 
+    // Of each four components, which lie in memory as w x y z, the last becomes the first: then x y z w.
+    void rotate_fours();
+
     std::size_t components() const { return component_.size(); }
     std::size_t stride() const { return stride_; } // bytes
     T *const *component() const { return component_.data(); }
@@ -51,7 +54,33 @@ private:
     std::size_t stride_, span_;
 };
 
-enum class operand { point, direction, tangent, vertex, vector, line, motor, weights };
+enum class operand {
+    point,
+    direction,
+    tangent,
+    vertex,
+    vector,
+    line,
+    motor,     // S̄S = 1
+    any_motor, // a multiple of such, with a pseudoscalar that is not zero: as sums of motors are
+    bivector,
+    weights,
+    parameter, // of an interpolation, and the exponent of a power
+    quaternion,
+    translation,
+    axis_angle,
+    euler_angles,
+    dual_quaternion,
+    screw,
+    // What lies in memory in one order alone, its components adjacent.
+    quaternion_wxyz,
+    dual_quaternion_wxyz,
+    rows_3x4,
+    rows_4x4,
+    columns_3x4,
+    columns_4x4
+};
+constexpr bool is_adjacent(operand operand) { return operand >= operand::quaternion_wxyz; }
 
 // Terms of a blend.
 constexpr std::size_t blend_terms = 4;
@@ -60,36 +89,49 @@ constexpr std::size_t components_of(operand operand)
 {
     switch (operand) {
     case operand::point:
-    case operand::direction: return 3;
-    case operand::tangent: return 4;
+    case operand::direction:
+    case operand::translation:
+    case operand::euler_angles: return 3;
+    case operand::tangent:
+    case operand::quaternion:
+    case operand::quaternion_wxyz:
+    case operand::axis_angle: return 4;
     case operand::vertex: return 6; // a position and a normal
     case operand::vector: return 5;
-    case operand::line: return 6;
-    case operand::motor: return 8;
+    case operand::line:
+    case operand::bivector: return 6;
+    case operand::motor:
+    case operand::any_motor:
+    case operand::dual_quaternion:
+    case operand::dual_quaternion_wxyz:
+    case operand::screw: return 8;
+    case operand::rows_3x4:
+    case operand::columns_3x4: return 12;
+    case operand::rows_4x4:
+    case operand::columns_4x4: return 16;
     case operand::weights: return blend_terms;
+    case operand::parameter: return 1;
     }
     return 0;
 }
 
-// What a kernel must be given.
-enum class motors {
-    unit,     // S̄S = 1
-    multiples // of unit motors, with a pseudoscalar that is not zero: as sums of motors are
-};
-
-// What a kernel takes and makes.
+// What a kernel takes and makes, in the order of its C function.
 struct arguments {
-    operand out;
-    std::vector<operand> in;     // in the order of its C function
-    motors kind = motors::unit;
-    std::size_t fixed = 0;       // motors that all elements share: one, a palette, those of a grid
+    std::vector<operand> out, in;
+    std::size_t fixed = 0;       // motors that all elements share: one, two, a palette, those of a grid
     bool motor_an_element = false;
     bool index_an_element = false;
     std::size_t images = 1;      // results an element
+    std::size_t joints = 1;      // elements an instance: the count is that of instances
 };
+bool allows(const arguments &arguments, layout kind);
 
 // The poses of a grid, and the motors of a palette: the bones of a character, the parts of a machine.
 constexpr std::size_t shared_motors = 64;
+
+// Of a skeleton: each is the child of the one before. Instances lie side by side in soa, joint after joint, and else
+// one after the other.
+constexpr std::size_t skeleton_joints = 64;
 
 // Elements of one rigid part lie together in a mesh, so their indices come in runs.
 constexpr std::size_t index_run = 32;
@@ -103,23 +145,24 @@ struct shift {
 template <class T, class M = T> struct problem {
     std::string kernel; // "apply_point_one"
     layout kind;
-    std::size_t count, images;
+    std::size_t count, elements, images;
     std::optional<array<M>> motors; // of the elements, if each has its own
     std::vector<array<T>> in;
     std::vector<M> fixed;                // motors, packed
     std::vector<std::uint16_t> indices;  // of the elements, into the fixed motors
-    array<T> out;                        // of a grid, motor by motor or (columns) element by element
+    std::vector<std::int32_t> parents;   // of the joints of a skeleton
+    std::vector<array<T>> out;           // of a grid, motor by motor or (columns) element by element
 
-    problem(std::string name, const arguments &arguments, layout where, std::size_t elements);
+    problem(std::string name, const arguments &arguments, layout where, std::size_t how_many);
 
-    std::size_t results() const { return count * images; }
+    std::size_t results() const { return elements * images; }
     // Of motors that elements share it is left out what they take.
-    std::size_t bytes_read() const { return count * element_size() + index_size(); }
-    std::size_t bytes_written() const { return results() * sizeof(T) * out.components(); }
+    std::size_t bytes_read() const;
+    std::size_t bytes_written() const;
     std::size_t span_read() const;
+    std::size_t span_written() const;
 
 private:
-    std::size_t element_size() const;
     std::size_t index_size() const { return indices.size() * sizeof(indices[0]); }
 };
 

@@ -6,23 +6,32 @@ namespace motorway::bench {
 namespace {
 
 constexpr std::size_t largest_count = 8388608;
+constexpr std::size_t skeletons = 1000; // a crowd
 
-bool is_one_of(std::size_t count, std::initializer_list<std::size_t> counts)
+template <class Value> bool is_one_of(const Value &value, std::initializer_list<Value> values)
 {
-    return std::find(counts.begin(), counts.end(), count) != counts.end();
+    return std::find(values.begin(), values.end(), value) != values.end();
 }
 
 bool applies_to(const kernel_row &row, std::initializer_list<operand> operands)
 {
-    return row.verb == "apply" && std::find(operands.begin(), operands.end(), row.arguments.out) != operands.end();
+    return row.verb == "apply" && is_one_of(row.arguments.out[0], operands);
 }
 
 bool moves_points(const kernel_row &row) { return applies_to(row, {operand::point}); }
 
-// Those that few people need, and for which there are no baselines.
+// What is computed of motors, and conversions: many kernels, of a kind each.
+bool is_of_group(const kernel_row &row)
+{
+    return !is_one_of<std::string>(row.verb, {"apply", "reverse", "normalize", "blend"}) &&
+           row.name != "compose_motor_each";
+}
+
+// Those of which few sizes tell all.
 bool is_uncommon(const kernel_row &row)
 {
-    return applies_to(row, {operand::tangent, operand::vector, operand::line, operand::motor});
+    return is_of_group(row) || applies_to(row, {operand::tangent, operand::vector, operand::line, operand::motor,
+                                                operand::bivector});
 }
 
 // The results of a grid are as many as the largest count of the others.
@@ -34,10 +43,13 @@ bool is_too_large(const scheduled_shape &shape)
 // Enough for the bars of the report, and of every shape something in the caches and something beyond the first two.
 bool is_scheduled_quick(const scheduled_shape &shape)
 {
+    if (is_of_group(shape.row) && shape.kind == layout::strided)
+        return false;
     switch (shape.count) {
     case 64: return moves_points(shape.row) && shape.f32;
-    case 256: return moves_points(shape.row) || shape.row.verb != "apply";
-    case 1024: return shape.f32 || !is_uncommon(shape.row);
+    case 256: return moves_points(shape.row) || (shape.row.verb != "apply" && !is_uncommon(shape.row));
+    case skeletons: return true;
+    case 1024: return shape.f32 || is_of_group(shape.row) || !is_uncommon(shape.row);
     case 65536: return shape.f32;
     default: return shape.row.name == "apply_point_one" && shape.f32;
     }
@@ -48,17 +60,18 @@ bool is_scheduled_quick(const scheduled_shape &shape)
 std::vector<std::size_t> counts(bool quick)
 {
     if (quick)
-        return {64, 256, 1024, 65536, largest_count};
-    return {64, 256, 1024, 4096, 16384, 65536, 262144, 1048576, largest_count};
+        return {64, 256, skeletons, 1024, 65536, largest_count};
+    return {64, 256, skeletons, 1024, 4096, 16384, 65536, 262144, 1048576, largest_count};
 }
 
 bool is_scheduled(const scheduled_shape &shape, bool quick)
 {
-    if (is_too_large(shape))
+    const bool is_skeleton = shape.row.arguments.joints != 1;
+    if (is_too_large(shape) || is_skeleton != (shape.count == skeletons))
         return false;
     if (quick)
         return is_scheduled_quick(shape);
-    return !is_uncommon(shape.row) || is_one_of(shape.count, {64, 1024, 65536, 1048576});
+    return !is_uncommon(shape.row) || is_skeleton || is_one_of<std::size_t>(shape.count, {64, 1024, 65536, 1048576});
 }
 
 bool is_threaded(const scheduled_shape &shape, bool quick)

@@ -26,7 +26,7 @@ template <class T, class M = T> struct shape {
     {
         return "baseline_" + library + "/" + row.name + path() + tail();
     }
-    work bind(const problem<T, M> &problem) const { return row.bind<T, M>()(problem); }
+    work bind(const problem<T, M> &problem) const { return row.bind(problem); }
     bench::problem<T, M> make_problem() const { return {row.name, row.arguments, kind, count}; }
     std::size_t size() const { return problem_size<T, M>(row.arguments, kind, count); } // bytes of a problem
 
@@ -40,7 +40,7 @@ template <class F> void for_each_shape(std::size_t count, F visit)
 {
     for (const kernel_row &row : kernel_rows())
         for (layout kind : layouts) {
-            if (kind == layout::columns && row.arguments.images == 1)
+            if (!allows(row.arguments, kind))
                 continue;
             if (row.f32)
                 visit(shape<float>{row, kind, count});

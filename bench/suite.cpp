@@ -23,7 +23,7 @@ void set_counters(benchmark::State &state, const shape<T, M> &shape, const probl
     const auto iterations = static_cast<std::int64_t>(state.iterations());
     state.SetItemsProcessed(iterations * static_cast<std::int64_t>(results));
     state.SetBytesProcessed(iterations * static_cast<std::int64_t>(read + written));
-    const std::size_t values[] = {results, read, written, problem.span_read(), problem.out.span(),
+    const std::size_t values[] = {results, read, written, problem.span_read(), problem.span_written(),
                                   shape.row.operations * shape.row.terms * results};
     for (std::size_t i = 0; i < std::size(values); ++i)
         state.counters[report_counters[i]] = static_cast<double>(values[i]);

@@ -225,13 +225,18 @@ def motor_to_screw(S, let):
     u = [
         let(f"u{name}", function("if_less", SMALLEST_ROTATION, half_angle, a, m)) for name, a, m in zip("xyz", turn, moment)
     ]
+    # Scaled, so that no square underflows or overflows: no translation is too short or too long.
+    x, y, z = (function("magnitude", c) for c in u)
+    scale = let("scale", function("at_least", larger(larger(x, y), z), SMALLEST_LENGTH))
+    inverse = let("inverse", 1 / scale)
+    u = [let(f"d{name}", c * inverse) for name, c in zip("xyz", u)]
     length = let("length", root(let("length_square", sum(c * c for c in u))))
     i = let("i", function("if_less", 0, length, 1 / length, 0))
     axis = [u[0] * i, u[1] * i, function("if_less", 0, length, u[2] * i, 1)]
     ax, ay, az = axis = [let(f"axis_{name}", c) for name, c in zip("xyz", axis)]
     along = let("along", sum(a * m for a, m in zip(axis, moment)))
     mx, my, mz = (let(f"m{name}", m - along * a) for name, a, m in zip("xyz", axis, moment))
-    lever = let("lever", function("if_less", SMALLEST_ROTATION, half_angle, i, 0))
+    lever = let("lever", function("if_less", SMALLEST_ROTATION, half_angle, i * inverse, 0))
     turned = function("if_less", SMALLEST_ROTATION, half_angle, half_angle, 0)
     point = (lever * let("px", ay * mz - az * my), lever * let("py", az * mx - ax * mz), lever * let("pz", ax * my - ay * mx))
     names = ("ax", "ay", "az", "px", "py", "pz", "angle", "distance")

@@ -505,7 +505,7 @@ mw_status mw_ratio_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 from, m
  * a mathematical library. */
 
 /* out[i] = exp(generators[i]), normalised, for every angle. (Where the instruction set does not fuse, beyond a full
- * turn the error of the angle grows with it: 0.7 epsilons of it.)
+ * turn the error of the angle grows with it: 0.9 epsilons of it.)
  * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_exp_motor_each_f32(mw_motors_f32 out, mw_const_bivectors_f32 generators, size_t count);
 mw_status mw_exp_motor_each_f64(mw_motors_f64 out, mw_const_bivectors_f64 generators, size_t count);
@@ -577,8 +577,8 @@ mw_status mw_nlerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, c
  * senses with those of other libraries, each row of it a test.
  *
  * Wherever there is a rotation and a translation, the rotation acts first: p' = R p + t. Every rotation has two motors, S
- * and -S; those made here have s >= 0 unless the text says otherwise. Motors to be converted need not be normalised, and
- * those made of normalised input are.
+ * and -S: of matrices comes the one with s >= 0, of angles the product of the cos θ/2 + ..., of quaternions that of the
+ * sign given. Motors to be converted need not be normalised, and those made of normalised input are.
  * All: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP; degenerate motors: see mw_check_motors.
  * Error: a few epsilons of the rotation, and of the translation relative to its length; docs/accuracy.md. */
 
@@ -636,8 +636,8 @@ mw_status mw_convert_axis_angle_to_motor_each_f64(mw_motors_f64 out, mw_const_xy
                                                   mw_const_xyz_f64 translations, size_t count);
 
 /* Euler angles, and translations: x is the first angle, y the second, z the third, of any size. From motors come the
- * first and third angle in [-π, π]. Where these two are about the same axis (gimbal lock), only their sum or
- * difference is determined, and they share it equally. Also MW_ERROR_EULER_ORDER. */
+ * first and third angle in [-π, π]. Where these two are about the same axis (gimbal lock), only their sum or their
+ * difference is determined: that is right, and how they share it is left to rounding. Also MW_ERROR_EULER_ORDER. */
 mw_status mw_convert_motor_to_euler_each_f32(mw_xyz_f32 angles, mw_xyz_f32 translations, mw_const_motors_f32 motors,
                                              size_t count, mw_euler_order order);
 mw_status mw_convert_motor_to_euler_each_f64(mw_xyz_f64 angles, mw_xyz_f64 translations, mw_const_motors_f64 motors,

@@ -41,24 +41,37 @@ void rotate(square &k, square &vectors, int p, int q)
         turn(vectors[i][p], vectors[i][q]);
 }
 
+// NaN if any of them is not finite: a zero beside it would hide it from the rotations.
 double largest_of(const double (&m)[3][3])
 {
     double largest = 0;
     for (const auto &row : m)
-        for (double value : row)
+        for (double value : row) {
+            if (!std::isfinite(value))
+                return NAN;
             largest = std::fmax(largest, std::fabs(value));
+        }
     return largest;
+}
+
+// To numbers of about 1, exactly; all NaN if any is not finite.
+void scale(const double (&m)[3][3], double (&scaled)[3][3])
+{
+    const double size = largest_of(m);
+    int exponent = 0;
+    if (std::isfinite(size))
+        std::frexp(size, &exponent);
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c)
+            scaled[r][c] = std::isfinite(size) ? std::ldexp(m[r][c], -exponent) : size;
 }
 
 } // namespace
 
 void nearest_motor(const double (&matrix)[3][3], const double (&translation)[3], double (&motor)[8])
 {
-    const double size = largest_of(matrix), scale = size > 0 ? 1 / size : 1;
     double scaled[3][3];
-    for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c)
-            scaled[r][c] = matrix[r][c] * scale;
+    scale(matrix, scaled);
     square k, vectors = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
     quadratic_form(scaled, k);
     for (int sweep = 0; sweep < 8; ++sweep) // converges quadratically: five are enough

@@ -49,6 +49,9 @@ struct Api;
         static constexpr auto power_motor_each = mw_power_motor_each_##precision;                        \
         static constexpr auto slerp_motor_each = mw_slerp_motor_each_##precision;                        \
         static constexpr auto slerp_motor_one = mw_slerp_motor_one_##precision;                          \
+        static constexpr auto nlerp_motor_each = mw_nlerp_motor_each_##precision;                        \
+        static constexpr auto nlerp_motor_one = mw_nlerp_motor_one_##precision;                          \
+        static constexpr auto ratio_motor_each = mw_ratio_motor_each_##precision;                        \
         static constexpr auto reverse_motor_each = mw_reverse_motor_each_##precision;                    \
         static constexpr auto normalize_motor_each = mw_normalize_motor_each_##precision;                \
         static constexpr auto blend_motor_one = mw_blend_motor_one_##precision;                          \

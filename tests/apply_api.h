@@ -15,7 +15,7 @@
 
 namespace motorway::testing {
 
-enum class Moved { point, direction, tangent, vertex, vector, line, motor };
+enum class Moved { point, direction, tangent, vertex, vector, line, motor, bivector };
 enum class Pairing { one, each, indexed, indexed_checked, grid };
 
 constexpr Pairing all_pairings[] = {Pairing::one, Pairing::each, Pairing::indexed, Pairing::indexed_checked,

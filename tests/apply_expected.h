@@ -128,6 +128,19 @@ inline void add_line(Moving &moving, const Magnitudes &magnitudes, const referen
                   roundings_of_products, beta * turned);
 }
 
+// The bivector part of a motor: a line whose direction is in the opposite order.
+template <class T>
+void add_bivector(Moving &moving, const Magnitudes &magnitudes, const reference::Motor &image, const T *bivector,
+                  long double beta)
+{
+    const T direction[] = {bivector[2], bivector[1], bivector[0]};
+    Moving line;
+    add_line(line, magnitudes, {image[3], image[2], image[1], image[4], image[5], image[6]}, sizes_of(direction),
+             sizes_of(bivector + 3), beta);
+    for (std::size_t k : {2, 1, 0, 3, 4, 5})
+        moving.add<1>({line.value[k]}, {line.magnitude[k]}, line.roundings[k], {line.pseudoscalar[k]});
+}
+
 template <class M, class T>
 Moving moving_of(const M *components, const reference::Square &square, const T *element, Moved moved,
                  const mw_shift *shift)
@@ -189,15 +202,15 @@ Moving moving_of(const M *components, const reference::Square &square, const T *
     }
     case Moved::motor: {
         // s and w e123∞ commute with every motor.
-        const reference::Motor image = reference::apply_motor(motor, exact_motor(element));
-        const T direction[] = {element[3], element[2], element[1]};
         moving.copy(element[0]);
-        Moving line;
-        add_line(line, magnitudes, {image[3], image[2], image[1], image[4], image[5], image[6]}, sizes_of(direction),
-                 sizes_of(element + 4), beta);
-        for (std::size_t k : {2, 1, 0, 3, 4, 5})
-            moving.add<1>({line.value[k]}, {line.magnitude[k]}, line.roundings[k], {line.pseudoscalar[k]});
+        add_bivector(moving, magnitudes, reference::apply_motor(motor, exact_motor(element)), element + 1, beta);
         moving.copy(element[7]);
+        break;
+    }
+    case Moved::bivector: {
+        reference::Motor moved_motor{};
+        std::copy_n(exact_bivector(element).begin(), 6, moved_motor.begin() + 1);
+        add_bivector(moving, magnitudes, reference::apply_motor(motor, moved_motor), element, beta);
         break;
     }
     }

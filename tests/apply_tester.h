@@ -46,6 +46,11 @@ void draw_operand(Random &random, Moved moved, T *components)
         break;
     }
     case Moved::motor: draw_motor(random, any_regime(random), components); break;
+    case Moved::bivector:
+        draw_vector(random, components + 3);
+        if (random.chance(6))
+            std::fill_n(components, 3, T(0));  // that of a translation
+        break;
     }
 }
 

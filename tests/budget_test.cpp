@@ -45,7 +45,8 @@ TEST(Budget, any_motor_costs_4_more_and_a_division)
 TEST(Budget, one_motor_costs_an_element_no_more_than_its_matrix)
 {
     const std::pair<const char *, int> most[] = {{"point", 9},   {"direction", 9}, {"tangent", 9}, {"vertex", 18},
-                                                 {"vector", 16}, {"line", 27},     {"motor", 27}};
+                                                 {"vector", 16}, {"line", 27},     {"motor", 27},
+                                                 {"bivector", 27}};
     for (const auto &[operand, operations] : most)
         for (const char *pairing : {"one", "grid"}) {
             const KernelRow &r = row(std::string("apply_") + operand + "_" + pairing);
@@ -72,7 +73,8 @@ TEST(Budget, a_motor_each_costs_what_its_forms_do)
     EXPECT_LE(row("apply_line_each_unit").operations, 51);
     EXPECT_LE(row("apply_line_each").operations, 68);
     EXPECT_LE(row("apply_motor_each").operations, row("apply_line_each").operations);
-    for (const char *operand : {"point", "direction", "tangent", "vertex", "vector", "line", "motor"}) {
+    EXPECT_LE(row("apply_bivector_each").operations, row("apply_line_each").operations);
+    for (const char *operand : {"point", "direction", "tangent", "vertex", "vector", "line", "motor", "bivector"}) {
         const std::string each = std::string("apply_") + operand + "_each";
         EXPECT_EQ(row(each).divisions, 1) << each;
         EXPECT_EQ(row(each + "_unit").divisions, 0) << each;
@@ -133,9 +135,71 @@ TEST(Budget, interpolation_and_powers)
     EXPECT_EQ(row("slerp_motor_each").divisions, 0);
     EXPECT_LT(row("slerp_motor_one").operations, row("slerp_motor_each").operations);
     EXPECT_EQ(row("slerp_motor_one").divisions, 0);
+    EXPECT_LE(row("slerp_long_motor_each").operations, 220);
+    EXPECT_LT(row("slerp_long_motor_one").operations, row("slerp_long_motor_each").operations);
     EXPECT_LE(row("sqrt_motor_each").operations, 18);
     EXPECT_LE(row("power_motor_each").operations,
               row("log_motor_each_unit").operations + 6 + row("exp_motor_each").operations);
+}
+
+// Either way round, less than half of slerp; and no way costs more than the other, for it is one sign.
+TEST(Budget, a_normalised_blend_costs_less_than_half_of_slerp)
+{
+    EXPECT_LT(2 * row("nlerp_motor_each").operations, row("slerp_motor_each").operations);
+    for (const std::string pairing : {"each", "one"}) {
+        const KernelRow &shorter = row("nlerp_motor_" + pairing), &longer = row("nlerp_long_motor_" + pairing);
+        EXPECT_EQ(shorter.operations, longer.operations) << pairing;
+        EXPECT_EQ(shorter.divisions, 2) << pairing;
+        EXPECT_EQ(longer.divisions, 2) << pairing;
+    }
+    EXPECT_LT(row("nlerp_motor_one").operations, row("nlerp_motor_each").operations);
+}
+
+TEST(Budget, a_ratio_costs_no_more_than_inverting_and_a_product)
+{
+    const KernelRow &product = row("compose_motor_each"), &inverse = row("inverse_motor_each");
+    EXPECT_LE(row("ratio_motor_each_unit").operations, product.operations);
+    EXPECT_EQ(row("ratio_motor_each_unit").divisions, 0);
+    EXPECT_LE(row("ratio_motor_each").operations, inverse.operations + product.operations);
+    EXPECT_EQ(row("ratio_motor_each").divisions, 1);
+}
+
+// What they take now, and no more. Another order of the components, or the last row of a matrix, is free.
+TEST(Budget, conversions)
+{
+    struct Cost {
+        const char *name;
+        int operations, divisions;
+    };
+    const Cost most[] = {{"motor_to_pose", 26, 2},          {"pose_to_motor", 17, 0},
+                         {"motor_to_dual_quaternion", 2, 0}, {"dual_quaternion_to_motor", 2, 0},
+                         {"motor_to_rows_3x4", 43, 1},      {"rows_3x4_to_motor", 63, 2},
+                         {"motor_to_axis_angle", 63, 5},    {"axis_angle_to_motor", 38, 0},
+                         {"motor_to_euler", 115, 8},        {"motor_to_euler_proper", 108, 8},
+                         {"euler_to_motor", 131, 0},        {"translation_to_motor", 3, 0},
+                         {"motor_to_translation", 19, 1},   {"motor_to_screw", 107, 6},
+                         {"screw_to_motor", 38, 0},         {"rotor_to_motor", 10, 0}};
+    for (const Cost &cost : most) {
+        const KernelRow &r = row("convert_" + std::string(cost.name) + "_each");
+        EXPECT_LE(r.operations, cost.operations) << r.name;
+        EXPECT_LE(r.divisions, cost.divisions) << r.name;
+    }
+    const std::pair<const char *, const char *> orders[] = {
+        {"motor_to_pose", "motor_to_pose_wxyz"},
+        {"pose_to_motor", "pose_wxyz_to_motor"},
+        {"motor_to_dual_quaternion", "motor_to_dual_quaternion_wxyz"},
+        {"dual_quaternion_to_motor", "dual_quaternion_wxyz_to_motor"},
+        {"motor_to_rows_3x4", "motor_to_rows_4x4"},
+        {"motor_to_rows_3x4", "motor_to_columns_3x4"},
+        {"motor_to_rows_3x4", "motor_to_columns_4x4"},
+        {"rows_3x4_to_motor", "columns_3x4_to_motor"},
+        {"rows_3x4_to_motor", "columns_4x4_to_motor"}};
+    for (const auto &[one, other] : orders) {
+        const KernelRow &a = row("convert_" + std::string(one) + "_each");
+        const KernelRow &b = row("convert_" + std::string(other) + "_each");
+        EXPECT_EQ(a.operations, b.operations) << b.name;
+        EXPECT_EQ(a.divisions, b.divisions) << b.name;
+    }
 }
 
 TEST(Budget, a_term_of_a_blend_takes_8)

@@ -136,10 +136,19 @@ DEFINE_TEST(f64, double, 1e-14)
         CHECK(near_##precision(result.s, root) && near_##precision(result.b12, root));                               \
         CHECK(mw_power_motor_each_##precision(out, turns, &half, 0, 1) == MW_OK);                                    \
         CHECK(near_##precision(result.s, root) && near_##precision(result.b12, root));                               \
-        CHECK(mw_slerp_motor_each_##precision(out, ones, turns, &half, sizeof half, 1) == MW_OK);                    \
+        CHECK(mw_slerp_motor_each_##precision(out, ones, turns, &half, sizeof half, 1, MW_DEFAULT) == MW_OK);        \
         CHECK(near_##precision(result.s, root) && near_##precision(result.b12, root));                               \
-        CHECK(mw_slerp_motor_one_##precision(out, &one, &turn, &half, sizeof half, 1) == MW_OK);                     \
+        CHECK(mw_slerp_motor_one_##precision(out, &one, &turn, &half, sizeof half, 1, MW_DEFAULT) == MW_OK);         \
         CHECK(near_##precision(result.s, root) && near_##precision(result.b12, root));                               \
+        /* The long way is back by as much, for a half turn. */                                                      \
+        CHECK(mw_slerp_motor_one_##precision(out, &one, &turn, &half, sizeof half, 1, MW_LONG_WAY) == MW_OK);        \
+        CHECK(near_##precision(result.s, root) && near_##precision(result.b12, -root));                              \
+        CHECK(mw_nlerp_motor_each_##precision(out, ones, turns, &half, sizeof half, 1, MW_DEFAULT) == MW_OK);        \
+        CHECK(near_##precision(result.s, root) && near_##precision(result.b12, root));                               \
+        CHECK(mw_nlerp_motor_one_##precision(out, &one, &turn, &half, sizeof half, 1, MW_LONG_WAY) == MW_OK);        \
+        CHECK(near_##precision(result.s, root) && near_##precision(result.b12, -root));                              \
+        CHECK(mw_ratio_motor_each_##precision(out, turns, ones, 1, MW_DEFAULT) == MW_OK);                            \
+        CHECK(near_##precision(result.s, 0) && near_##precision(result.b12, -1));                                    \
         CHECK(mw_inverse_motor_each_##precision(out, turns, 1) == MW_OK);                                            \
         CHECK(near_##precision(result.s, 0) && near_##precision(result.b12, -1));                                    \
         CHECK(mw_compose_motor_one_first_##precision(out, &turn, turns, 1) == MW_OK);                                \
@@ -156,6 +165,89 @@ DEFINE_TEST(f64, double, 1e-14)
 DEFINE_GROUP_TEST(f32, float)
 DEFINE_GROUP_TEST(f64, double)
 
+/* The same pose in everything that holds one, and back: a half turn about e3 and then a step of 10 along e1. */
+#define DEFINE_CONVERSION_TEST(P, T)                                                                                 \
+    static void check_pose_##P(const mw_motor_##P *pose)                                                             \
+    {                                                                                                                \
+        CHECK(near_##P(pose->s, 0) && near_##P(pose->b12 * pose->b12, 1));                                           \
+        CHECK(near_##P(pose->b2i, -5 * pose->b12) && near_##P(pose->b1i, 0));                                        \
+        CHECK(near_##P(pose->b3i, 0) && near_##P(pose->w, 0));                                                       \
+    }                                                                                                                \
+                                                                                                                     \
+    static void test_conversions_##P(void)                                                                           \
+    {                                                                                                                \
+        const T half_pi = (T)1.57079632679489661923;                                                                 \
+        const mw_motor_##P pose = {0, 1, 0, 0, 0, -5, 0, 0};                                                         \
+        mw_motor_##P back;                                                                                           \
+        T four[4], three[3], angles[3], eight[8], numbers[16], deviation = 1;                                        \
+        size_t bad = 7;                                                                                              \
+        const mw_const_motors_##P in = mw_const_motors_##P##_aos(&pose, sizeof pose);                                \
+        const mw_motors_##P out = mw_motors_##P##_aos(&back, sizeof back);                                           \
+        const mw_xyzw_##P to_four = mw_xyzw_##P##_aos(four, sizeof four);                                            \
+        const mw_const_xyzw_##P from_four = mw_const_xyzw_##P##_aos(four, sizeof four);                              \
+        const mw_xyz_##P to_three = mw_xyz_##P##_aos(three, sizeof three);                                           \
+        const mw_const_xyz_##P from_three = mw_const_xyz_##P##_aos(three, sizeof three);                             \
+        const mw_matrices_##P to_matrix = {numbers, sizeof numbers, MW_MATRIX_COLUMNS_4X4};                          \
+        const mw_const_matrices_##P from_matrix = {numbers, sizeof numbers, MW_MATRIX_COLUMNS_4X4};                  \
+        CHECK(mw_convert_motor_to_pose_each_##P(to_four, to_three, in, 1) == MW_OK);                                 \
+        CHECK(near_##P(four[2], 1) && near_##P(four[3], 0) && near_##P(three[0], 10));                               \
+        CHECK(mw_convert_pose_to_motor_each_##P(out, from_four, from_three, 1) == MW_OK);                            \
+        check_pose_##P(&back);                                                                                       \
+        CHECK(mw_convert_motor_to_pose_each_##P(mw_xyzw_##P##_wxyz(four, sizeof four), to_three, in, 1) == MW_OK);   \
+        CHECK(near_##P(four[0], 0) && near_##P(four[3], 1));                                                         \
+        CHECK(mw_convert_motor_to_dual_quaternion_each_##P(mw_dual_quaternions_##P##_wxyz(eight, sizeof eight), in,  \
+                                                           1) == MW_OK);                                             \
+        CHECK(eight[3] == 1 && eight[6] == -5);                                                                      \
+        CHECK(mw_convert_dual_quaternion_to_motor_each_##P(                                                          \
+                  out, mw_const_dual_quaternions_##P##_wxyz(eight, sizeof eight), 1) == MW_OK);                      \
+        check_pose_##P(&back);                                                                                       \
+        CHECK(mw_convert_motor_to_matrix_each_##P(to_matrix, in, 1) == MW_OK);                                       \
+        CHECK(near_##P(numbers[0], -1) && near_##P(numbers[12], 10) && numbers[15] == 1);                            \
+        CHECK(mw_check_matrices_##P(from_matrix, 1, (T)0.001, &bad, &deviation) == MW_OK);                           \
+        CHECK(bad == 7 && near_##P(deviation, 0));                                                                   \
+        CHECK(mw_convert_matrix_to_motor_each_##P(out, from_matrix, 1, MW_DEFAULT) == MW_OK);                        \
+        check_pose_##P(&back);                                                                                       \
+        CHECK(mw_convert_motor_to_axis_angle_each_##P(to_four, to_three, in, 1) == MW_OK);                           \
+        CHECK(near_##P(four[2] * four[2], 1) && near_##P(four[3], 2 * half_pi));                                     \
+        CHECK(mw_convert_axis_angle_to_motor_each_##P(out, from_four, from_three, 1) == MW_OK);                      \
+        check_pose_##P(&back);                                                                                       \
+        CHECK(mw_convert_motor_to_euler_each_##P(mw_xyz_##P##_aos(angles, sizeof angles), to_three, in, 1,           \
+                                                 MW_EULER_XYZ) == MW_OK);                                            \
+        CHECK(mw_convert_euler_to_motor_each_##P(out, mw_const_xyz_##P##_aos(angles, sizeof angles), from_three, 1,  \
+                                                 MW_EULER_XYZ) == MW_OK);                                            \
+        check_pose_##P(&back);                                                                                       \
+        CHECK(mw_convert_motor_to_translation_each_##P(to_three, in, 1) == MW_OK);                                   \
+        CHECK(near_##P(three[0], 10) && near_##P(three[1], 0));                                                      \
+        CHECK(mw_convert_translation_to_motor_each_##P(out, from_three, 1) == MW_OK);                                \
+        CHECK(near_##P(back.s, 1) && near_##P(back.b1i, 5));                                                         \
+        CHECK(mw_convert_motor_to_screw_each_##P(mw_screws_##P##_aos(eight, sizeof eight), in, 1) == MW_OK);         \
+        CHECK(near_##P(eight[3], 5) && near_##P(eight[6], 2 * half_pi) && near_##P(eight[7], 0));                    \
+        CHECK(mw_convert_screw_to_motor_each_##P(out, mw_const_screws_##P##_aos(eight, sizeof eight), 1) == MW_OK);  \
+        check_pose_##P(&back);                                                                                       \
+        CHECK(mw_convert_motor_to_rotor_each_##P(out, in, 1, 2) == MW_OK);                                           \
+        CHECK(near_##P(back.b12, -1) && near_##P(back.b2i, (T)2.5));                                                 \
+        CHECK(mw_convert_rotor_to_motor_each_##P(out, mw_const_motors_##P##_aos(&back, sizeof back), 1, 2) == MW_OK);\
+        check_pose_##P(&back);                                                                                       \
+    }                                                                                                                \
+                                                                                                                     \
+    static void test_twist_##P(void)                                                                                 \
+    {                                                                                                                \
+        const T bivector[6] = {(T)1.57079632679489661923, 0, 0, 0, 0, 1};                                            \
+        mw_twist_##P twist;                                                                                          \
+        mw_motor_##P pose;                                                                                           \
+        T position[3];                                                                                               \
+        CHECK(mw_split_bivector_##P(&twist, bivector) == MW_OK);                                                     \
+        CHECK(near_##P(twist.axis[2], 1) && near_##P(twist.angle, 2 * bivector[0]));                                 \
+        CHECK(near_##P(twist.along[2], 2) && near_##P(twist.across[0], 0));                                          \
+        CHECK(mw_twist_pose_##P(&pose, &twist, (T)0.5) == MW_OK);                                                    \
+        CHECK(near_##P(pose.s, pose.b12) && near_##P(pose.s * pose.s, (T)0.5));                                      \
+        CHECK(mw_twist_position_##P(position, &twist, (T)0.5) == MW_OK);                                             \
+        CHECK(near_##P(position[0], 0) && near_##P(position[2], 1));                                                 \
+    }
+
+DEFINE_CONVERSION_TEST(f32, float)
+DEFINE_CONVERSION_TEST(f64, double)
+
 /* Every operand in every pairing. Twice the identity leaves an element where it is, and so does whoever picks it. */
 #define ELEMENT 8
 
@@ -165,6 +257,7 @@ DEFINE_GROUP_TEST(f64, double)
 #define VIEW_vectors(kind, P, numbers) mw_##kind##vectors_##P##_aos(numbers, 5 * sizeof *(numbers))
 #define VIEW_lines(kind, P, numbers) mw_##kind##lines_##P##_aos(numbers, 6 * sizeof *(numbers))
 #define VIEW_motors(kind, P, numbers) kind##motors_##P(numbers)
+#define VIEW_bivectors(kind, P, numbers) mw_##kind##bivectors_##P##_aos(numbers, 6 * sizeof *(numbers))
 
 #define DEFINE_VIEWS(P, T)                                                                                           \
     static mw_vertices_##P vertices_##P(T *numbers)                                                                  \
@@ -238,6 +331,7 @@ DEFINE_VIEWS(f64, double)
 #define COMPONENTS_vectors 5
 #define COMPONENTS_lines 6
 #define COMPONENTS_motors 8
+#define COMPONENTS_bivectors 6
 
 MW_OPERANDS(DEFINE_APPLY_TEST, f32)
 MW_OPERANDS(DEFINE_APPLY_TEST, f64)
@@ -285,6 +379,10 @@ int main(void)
     test_sums_f64();
     test_group_f32();
     test_group_f64();
+    test_conversions_f32();
+    test_conversions_f64();
+    test_twist_f32();
+    test_twist_f64();
     MW_OPERANDS(RUN_APPLY_TEST, f32)
     MW_OPERANDS(RUN_APPLY_TEST, f64)
     test_mixed();

@@ -40,6 +40,9 @@ const std::vector<Golden> golden_apply_line = {
 const std::vector<Golden> golden_apply_motor = {
 #include "../generated/golden/apply_motor.inc"
 };
+const std::vector<Golden> golden_apply_bivector = {
+#include "../generated/golden/apply_bivector.inc"
+};
 // The motor, what is subtracted before and added after, and the point.
 const std::vector<Golden> golden_apply_point_mixed = {
 #include "../generated/golden/apply_point_mixed.inc"
@@ -61,11 +64,71 @@ const std::vector<Golden> golden_blend_motor = {
 const std::vector<Golden> golden_inverse_motor = {
 #include "../generated/golden/inverse_motor.inc"
 };
+const std::vector<Golden> golden_ratio_motor = {
+#include "../generated/golden/ratio_motor.inc"
+};
+const std::vector<Golden> golden_convert_motor_to_pose = {
+#include "../generated/golden/convert_motor_to_pose.inc"
+};
+const std::vector<Golden> golden_convert_pose_to_motor = {
+#include "../generated/golden/convert_pose_to_motor.inc"
+};
+const std::vector<Golden> golden_convert_motor_to_pose_wxyz = {
+#include "../generated/golden/convert_motor_to_pose_wxyz.inc"
+};
+const std::vector<Golden> golden_convert_pose_wxyz_to_motor = {
+#include "../generated/golden/convert_pose_wxyz_to_motor.inc"
+};
+const std::vector<Golden> golden_convert_motor_to_dual_quaternion = {
+#include "../generated/golden/convert_motor_to_dual_quaternion.inc"
+};
+const std::vector<Golden> golden_convert_dual_quaternion_to_motor = {
+#include "../generated/golden/convert_dual_quaternion_to_motor.inc"
+};
+const std::vector<Golden> golden_convert_motor_to_dual_quaternion_wxyz = {
+#include "../generated/golden/convert_motor_to_dual_quaternion_wxyz.inc"
+};
+const std::vector<Golden> golden_convert_dual_quaternion_wxyz_to_motor = {
+#include "../generated/golden/convert_dual_quaternion_wxyz_to_motor.inc"
+};
+const std::vector<Golden> golden_convert_motor_to_rows_3x4 = {
+#include "../generated/golden/convert_motor_to_rows_3x4.inc"
+};
+const std::vector<Golden> golden_convert_motor_to_rows_4x4 = {
+#include "../generated/golden/convert_motor_to_rows_4x4.inc"
+};
+const std::vector<Golden> golden_convert_motor_to_columns_3x4 = {
+#include "../generated/golden/convert_motor_to_columns_3x4.inc"
+};
+const std::vector<Golden> golden_convert_motor_to_columns_4x4 = {
+#include "../generated/golden/convert_motor_to_columns_4x4.inc"
+};
+const std::vector<Golden> golden_convert_translation_to_motor = {
+#include "../generated/golden/convert_translation_to_motor.inc"
+};
+const std::vector<Golden> golden_convert_motor_to_translation = {
+#include "../generated/golden/convert_motor_to_translation.inc"
+};
+// The scale, and then the rotor.
+const std::vector<Golden> golden_convert_rotor_to_motor = {
+#include "../generated/golden/convert_rotor_to_motor.inc"
+};
 // Rational arithmetic has no exact results of these; the reference alone judges them.
 const std::vector<Golden> irrational;
 const std::vector<Golden> &golden_exp_motor = irrational, &golden_log_motor = irrational,
                           &golden_log_principal_motor = irrational, &golden_sqrt_motor = irrational,
-                          &golden_power_motor = irrational, &golden_slerp_motor = irrational;
+                          &golden_power_motor = irrational, &golden_slerp_motor = irrational,
+                          &golden_slerp_long_motor = irrational, &golden_nlerp_motor = irrational,
+                          &golden_nlerp_long_motor = irrational, &golden_convert_rows_3x4_to_motor = irrational,
+                          &golden_convert_columns_3x4_to_motor = irrational,
+                          &golden_convert_columns_4x4_to_motor = irrational,
+                          &golden_convert_motor_to_axis_angle = irrational,
+                          &golden_convert_axis_angle_to_motor = irrational,
+                          &golden_convert_motor_to_euler = irrational,
+                          &golden_convert_motor_to_euler_proper = irrational,
+                          &golden_convert_euler_to_motor = irrational,
+                          &golden_convert_motor_to_screw = irrational,
+                          &golden_convert_screw_to_motor = irrational;
 
 // Every row of the kernel list needs its vectors, or this does not compile.
 const std::vector<const std::vector<Golden> *> golden_of_every_row = {
@@ -75,7 +138,7 @@ const std::vector<const std::vector<Golden> *> golden_of_every_row = {
 };
 
 template <class T>
-using Result = std::array<T, 8>;
+using Result = std::array<T, 16>;  // of a 4 x 4 matrix
 
 template <class T>
 std::vector<T> components(const Golden &golden)
@@ -184,7 +247,7 @@ TYPED_TEST(GoldenTest, apply)
             for (Pairing pairing : all_pairings) {
                 SCOPED_TRACE(functions.name(pairing));
                 const bool has_products = functions.moved == Moved::vector || functions.moved == Moved::line ||
-                                          functions.moved == Moved::motor;
+                                          functions.moved == Moved::motor || functions.moved == Moved::bivector;
                 expect_golden<T>(
                     golden_of(functions.moved, functions.is_mixed()),
                     [&](std::vector<T> &in, Result<T> &out) { return apply_golden(functions, pairing, in, out); },
@@ -229,6 +292,88 @@ TYPED_TEST(GoldenTest, inverse_motor)
         });
     });
 }
+
+TYPED_TEST(GoldenTest, ratio_motor)
+{
+    using T = TypeParam;
+    this->on_every_isa([] {
+        expect_golden<T>(
+            golden_ratio_motor,
+            [](std::vector<T> &in, Result<T> &out) {
+                return Api<T>::ratio_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
+                                                view_at(&in[8], 8).const_motors(), 1, MW_DEFAULT);
+            },
+            3);
+    });
+}
+
+// A conversion by its numbers, each of its operands adjacent.
+#define MOTORWAY_GOLDEN_CONVERSION(P, function, ...)                                                                 \
+    [](std::vector<scalar_##P> &in, Result<scalar_##P> &out) {                                                       \
+        (void)in, (void)out;                                                                                         \
+        return mw_convert_##function##_each_##P(__VA_ARGS__);                                                        \
+    }
+#define MOTORWAY_GOLDEN_OUT(views, P, order, at) mw_##views##_##P##_##order(&out[at], 64)
+#define MOTORWAY_GOLDEN_IN(views, P, order, at) mw_const_##views##_##P##_##order(&in[at], 64)
+#define MOTORWAY_GOLDEN_CONST_MOTORS(P, at) view_at(&in[at], 8).const_motors()
+
+#define MOTORWAY_GOLDEN_CONVERSIONS(P)                                                                               \
+    using T = scalar_##P;                                                                                            \
+    const auto matrix = [](mw_matrix_layout layout) {                                                                \
+        return [layout](std::vector<T> &in, Result<T> &out) {                                                        \
+            const mw_matrices_##P matrices = {out.data(), sizeof out, layout};                                       \
+            return mw_convert_motor_to_matrix_each_##P(matrices, MOTORWAY_GOLDEN_CONST_MOTORS(P, 0), 1);             \
+        };                                                                                                           \
+    };                                                                                                               \
+    expect_golden<T>(golden_convert_motor_to_rows_3x4, matrix(MW_MATRIX_ROWS_3X4));                                  \
+    expect_golden<T>(golden_convert_motor_to_rows_4x4, matrix(MW_MATRIX_ROWS_4X4));                                  \
+    expect_golden<T>(golden_convert_motor_to_columns_3x4, matrix(MW_MATRIX_COLUMNS_3X4));                            \
+    expect_golden<T>(golden_convert_motor_to_columns_4x4, matrix(MW_MATRIX_COLUMNS_4X4));                            \
+    MOTORWAY_GOLDEN_QUATERNIONS(P, aos, )                                                                            \
+    MOTORWAY_GOLDEN_QUATERNIONS(P, wxyz, _wxyz)                                                                      \
+    expect_golden<T>(golden_convert_translation_to_motor,                                                            \
+                     MOTORWAY_GOLDEN_CONVERSION(P, translation_to_motor, view_at(out.data(), 8).motors(),            \
+                                                MOTORWAY_GOLDEN_IN(xyz, P, aos, 0), 1));                             \
+    expect_golden<T>(golden_convert_motor_to_translation,                                                            \
+                     MOTORWAY_GOLDEN_CONVERSION(P, motor_to_translation, MOTORWAY_GOLDEN_OUT(xyz, P, aos, 0),        \
+                                                MOTORWAY_GOLDEN_CONST_MOTORS(P, 0), 1));                             \
+    expect_golden<T>(golden_convert_rotor_to_motor,                                                                  \
+                     MOTORWAY_GOLDEN_CONVERSION(P, rotor_to_motor, view_at(out.data(), 8).motors(),                  \
+                                                MOTORWAY_GOLDEN_CONST_MOTORS(P, 1), 1, in[0]));
+
+#define MOTORWAY_GOLDEN_QUATERNIONS(P, order, name)                                                                  \
+    expect_golden<T>(golden_convert_motor_to_pose##name,                                                             \
+                     MOTORWAY_GOLDEN_CONVERSION(P, motor_to_pose, MOTORWAY_GOLDEN_OUT(xyzw, P, order, 0),            \
+                                                MOTORWAY_GOLDEN_OUT(xyz, P, aos, 4),                                 \
+                                                MOTORWAY_GOLDEN_CONST_MOTORS(P, 0), 1));                             \
+    expect_golden<T>(golden_convert_pose##name##_to_motor,                                                           \
+                     MOTORWAY_GOLDEN_CONVERSION(P, pose_to_motor, view_at(out.data(), 8).motors(),                   \
+                                                MOTORWAY_GOLDEN_IN(xyzw, P, order, 0),                               \
+                                                MOTORWAY_GOLDEN_IN(xyz, P, aos, 4), 1));                             \
+    expect_golden<T>(golden_convert_motor_to_dual_quaternion##name,                                                  \
+                     MOTORWAY_GOLDEN_CONVERSION(P, motor_to_dual_quaternion,                                         \
+                                                MOTORWAY_GOLDEN_OUT(dual_quaternions, P, order, 0),                  \
+                                                MOTORWAY_GOLDEN_CONST_MOTORS(P, 0), 1));                             \
+    expect_golden<T>(golden_convert_dual_quaternion##name##_to_motor,                                                \
+                     MOTORWAY_GOLDEN_CONVERSION(P, dual_quaternion_to_motor, view_at(out.data(), 8).motors(),        \
+                                                MOTORWAY_GOLDEN_IN(dual_quaternions, P, order, 0), 1));
+
+TEST(Golden, conversions)
+{
+    for (const std::string &isa : running_isas()) {
+        SCOPED_TRACE(isa);
+        ScopedIsa scope(isa);
+        [] { MOTORWAY_GOLDEN_CONVERSIONS(f32) }();
+        [] { MOTORWAY_GOLDEN_CONVERSIONS(f64) }();
+    }
+}
+
+#undef MOTORWAY_GOLDEN_CONVERSION
+#undef MOTORWAY_GOLDEN_CONVERSIONS
+#undef MOTORWAY_GOLDEN_QUATERNIONS
+#undef MOTORWAY_GOLDEN_OUT
+#undef MOTORWAY_GOLDEN_IN
+#undef MOTORWAY_GOLDEN_CONST_MOTORS
 
 TYPED_TEST(GoldenTest, reverse_motor)
 {

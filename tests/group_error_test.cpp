@@ -54,11 +54,49 @@ TYPED_TEST(GroupErrorTest, flags_that_logarithms_do_not_know)
             return function(packed_view(this->out(), 6).bivectors(), this->const_motors(this->first()), count, flags);
         };
         for (unsigned flags : {unsigned(MW_STREAMING_STORES), unsigned(MW_NO_STREAMING_STORES),
-                               unsigned(MW_UNIT_MOTORS | MW_STREAMING_STORES), 1u << 20, ~0u})
+                               unsigned(MW_UNIT_MOTORS | MW_STREAMING_STORES), unsigned(MW_LONG_WAY), 1u << 20, ~0u})
             this->expect(MW_ERROR_FLAGS, [&] { return run(flags, this->motor_count); });
         EXPECT_EQ(run(MW_DEFAULT, this->motor_count), MW_OK);
         EXPECT_EQ(run(MW_UNIT_MOTORS, this->motor_count), MW_OK);
     }
+}
+
+TYPED_TEST(GroupErrorTest, flags_that_interpolation_does_not_know)
+{
+    using A = Api<TypeParam>;
+    const auto out = this->motors(this->out());
+    const auto in = this->const_motors(this->first()), then = this->const_motors(this->second());
+    const auto *const a = this->motor(this->first()), *const b = this->motor(this->second());
+    const std::size_t stride = sizeof(TypeParam), count = this->motor_count;
+    const auto each_of_them = [&](auto body) {
+        for (const auto each : {A::slerp_motor_each, A::nlerp_motor_each})
+            body([&, each](unsigned flags) { return each(out, in, then, this->parameters(), stride, count, flags); });
+        for (const auto one : {A::slerp_motor_one, A::nlerp_motor_one})
+            body([&, one](unsigned flags) { return one(out, a, b, this->parameters(), stride, count, flags); });
+    };
+    each_of_them([&](auto run) {
+        for (unsigned flags : {unsigned(MW_UNIT_MOTORS), unsigned(MW_STREAMING_STORES), unsigned(MW_NEAREST_ROTATION),
+                               unsigned(MW_LONG_WAY | MW_UNIT_MOTORS), 1u << 20, ~0u})
+            this->expect(MW_ERROR_FLAGS, [&] { return run(flags); });
+    });
+    each_of_them([&](auto run) {
+        EXPECT_EQ(run(MW_DEFAULT), MW_OK);
+        EXPECT_EQ(run(MW_LONG_WAY), MW_OK);
+    });
+}
+
+TYPED_TEST(GroupErrorTest, flags_that_ratios_do_not_know)
+{
+    using A = Api<TypeParam>;
+    const auto run = [&](unsigned flags) {
+        return A::ratio_motor_each(this->motors(this->out()), this->const_motors(this->first()),
+                                   this->const_motors(this->second()), this->motor_count, flags);
+    };
+    for (unsigned flags : {unsigned(MW_STREAMING_STORES), unsigned(MW_LONG_WAY), unsigned(MW_NEAREST_ROTATION),
+                           unsigned(MW_UNIT_MOTORS | MW_LONG_WAY), 1u << 20, ~0u})
+        this->expect(MW_ERROR_FLAGS, [&] { return run(flags); });
+    EXPECT_EQ(run(MW_DEFAULT), MW_OK);
+    EXPECT_EQ(run(MW_UNIT_MOTORS), MW_OK);
 }
 
 TYPED_TEST(GroupErrorTest, no_fixed_motor)
@@ -70,10 +108,14 @@ TYPED_TEST(GroupErrorTest, no_fixed_motor)
     const std::size_t count = this->motor_count, stride = sizeof(TypeParam);
     this->expect(MW_ERROR_NULL, [&] { return A::compose_motor_one_first(out, nullptr, in, count); });
     this->expect(MW_ERROR_NULL, [&] { return A::compose_motor_one_then(out, in, nullptr, count); });
-    this->expect(MW_ERROR_NULL,
-                 [&] { return A::slerp_motor_one(out, nullptr, motor, this->parameters(), stride, count); });
-    this->expect(MW_ERROR_NULL,
-                 [&] { return A::slerp_motor_one(out, motor, nullptr, this->parameters(), stride, count); });
+    for (const auto function : {A::slerp_motor_one, A::nlerp_motor_one})
+        for (unsigned flags : {MW_DEFAULT, MW_LONG_WAY}) {
+            const auto run = [&](const auto *first, const auto *second) {
+                return function(out, first, second, this->parameters(), stride, count, flags);
+            };
+            this->expect(MW_ERROR_NULL, [&] { return run(decltype(motor)(nullptr), motor); });
+            this->expect(MW_ERROR_NULL, [&] { return run(motor, decltype(motor)(nullptr)); });
+        }
     EXPECT_EQ(A::compose_motor_one_first(out, motor, in, count), MW_OK);
     EXPECT_EQ(A::compose_motor_one_then(out, in, motor, count), MW_OK);
 }
@@ -93,12 +135,14 @@ TYPED_TEST(GroupErrorTest, an_output_over_a_fixed_motor)
                      [&] { return A::compose_motor_one_first(this->motors(out), fixed, in, count); });
         this->expect(MW_ERROR_OVERLAP,
                      [&] { return A::compose_motor_one_then(this->motors(out), in, fixed, count); });
-        this->expect(MW_ERROR_OVERLAP, [&] {
-            return A::slerp_motor_one(this->motors(out), fixed, other, this->parameters() + 8, stride, count);
-        });
-        this->expect(MW_ERROR_OVERLAP, [&] {
-            return A::slerp_motor_one(this->motors(out), other, fixed, this->parameters() + 8, stride, count);
-        });
+        for (const auto function : {A::slerp_motor_one, A::nlerp_motor_one})
+            for (unsigned flags : {MW_DEFAULT, MW_LONG_WAY}) {
+                const auto run = [&](const auto *a, const auto *b) {
+                    return function(this->motors(out), a, b, this->parameters() + 8, stride, count, flags);
+                };
+                this->expect(MW_ERROR_OVERLAP, [&] { return run(fixed, other); });
+                this->expect(MW_ERROR_OVERLAP, [&] { return run(other, fixed); });
+            }
     }
     EXPECT_EQ(A::compose_motor_one_first(this->motors(out), this->motor(out - 8), in, count), MW_OK);
     EXPECT_EQ(A::compose_motor_one_then(this->motors(out), in, this->motor(out + 8 * count), count), MW_OK);
@@ -116,8 +160,12 @@ TYPED_TEST(GroupErrorTest, one_number_for_all_that_is_wrong)
     const auto *const a = this->motor(this->first()), *const b = this->motor(this->second());
     const auto expect_all = [&](mw_status status, const T *number, std::size_t stride) {
         this->expect(status, [&] { return A::power_motor_each(to, in, number, stride, count); });
-        this->expect(status, [&] { return A::slerp_motor_each(to, in, then, number, stride, count); });
-        this->expect(status, [&] { return A::slerp_motor_one(to, a, b, number, stride, count); });
+        for (unsigned flags : {MW_DEFAULT, MW_LONG_WAY}) {
+            for (const auto each : {A::slerp_motor_each, A::nlerp_motor_each})
+                this->expect(status, [&] { return each(to, in, then, number, stride, count, flags); });
+            for (const auto one : {A::slerp_motor_one, A::nlerp_motor_one})
+                this->expect(status, [&] { return one(to, a, b, number, stride, count, flags); });
+        }
     };
     expect_all(MW_ERROR_NULL, nullptr, 0);
     expect_all(MW_ERROR_NULL, nullptr, sizeof(T));
@@ -144,8 +192,13 @@ TYPED_TEST(GroupErrorTest, a_count_of_0_takes_null_pointers)
     EXPECT_EQ(A::log_principal_motor_each({}, in, 0, MW_UNIT_MOTORS), MW_OK);
     EXPECT_EQ(A::sqrt_motor_each(out, in, 0), MW_OK);
     EXPECT_EQ(A::power_motor_each(out, in, nullptr, 0, 0), MW_OK);
-    EXPECT_EQ(A::slerp_motor_each(out, in, in, nullptr, 0, 0), MW_OK);
-    EXPECT_EQ(A::slerp_motor_one(out, nullptr, nullptr, nullptr, 0, 0), MW_OK);
+    EXPECT_EQ(A::ratio_motor_each(out, in, in, 0, MW_UNIT_MOTORS), MW_OK);
+    for (unsigned flags : {MW_DEFAULT, MW_LONG_WAY}) {
+        EXPECT_EQ(A::slerp_motor_each(out, in, in, nullptr, 0, 0, flags), MW_OK);
+        EXPECT_EQ(A::slerp_motor_one(out, nullptr, nullptr, nullptr, 0, 0, flags), MW_OK);
+        EXPECT_EQ(A::nlerp_motor_each(out, in, in, nullptr, 0, 0, flags), MW_OK);
+        EXPECT_EQ(A::nlerp_motor_one(out, nullptr, nullptr, nullptr, 0, 0, flags), MW_OK);
+    }
     EXPECT_EQ(A::compose_motor_hierarchy(out, in, 0, nullptr, 5, 0, nullptr), MW_OK);
     EXPECT_EQ(A::compose_motor_hierarchy(out, in, 0, nullptr, 0, 5, nullptr), MW_OK);
 }

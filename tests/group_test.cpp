@@ -12,6 +12,7 @@
 #include "kernel_tester.h"
 #include "precisions.h"
 #include "screws.h"
+#include "slerp_tester.h"
 #include "subject.h"
 
 namespace motorway::testing {
@@ -77,11 +78,30 @@ protected:
         return result;
     }
 
-    static Numbers slerp(const Numbers &first, const Numbers &second, T parameter)
+    static Numbers ratio(const Numbers &from, const Numbers &to, unsigned flags = MW_DEFAULT)
+    {
+        Numbers result(from.size());
+        EXPECT_EQ(A::ratio_motor_each(out_motors(result), in_motors(from), in_motors(to), from.size() / 8, flags),
+                  MW_OK);
+        return result;
+    }
+
+    static Numbers slerp(const Numbers &first, const Numbers &second, T parameter, unsigned flags = MW_DEFAULT)
+    {
+        return interpolate(A::slerp_motor_each, first, second, parameter, flags);
+    }
+
+    static Numbers nlerp(const Numbers &first, const Numbers &second, T parameter, unsigned flags = MW_DEFAULT)
+    {
+        return interpolate(A::nlerp_motor_each, first, second, parameter, flags);
+    }
+
+    static Numbers interpolate(decltype(A::slerp_motor_each) function, const Numbers &first, const Numbers &second,
+                               T parameter, unsigned flags)
     {
         Numbers result(first.size());
-        EXPECT_EQ(A::slerp_motor_each(out_motors(result), in_motors(first), in_motors(second), &parameter, 0,
-                                      first.size() / 8),
+        EXPECT_EQ(function(out_motors(result), in_motors(first), in_motors(second), &parameter, 0, first.size() / 8,
+                           flags),
                   MW_OK);
         return result;
     }
@@ -132,6 +152,31 @@ protected:
         for (std::size_t i = 0; i < count; ++i)
             draw_unit_motor(random, &motors[8 * i]);
         return motors;
+    }
+
+    struct Pairs {
+        Numbers first, second;
+
+        // The longer translation of the pair that an element of either array is of.
+        std::function<long double(const T *)> larger_of(const Numbers &of) const
+        {
+            return [this, begin = of.data()](const T *motor) {
+                const auto i = static_cast<std::size_t>(motor - begin);
+                return std::max(length_of(&first[i], 4, 8), length_of(&second[i], 4, 8));
+            };
+        }
+    };
+
+    // Poses whose relative motor turns by an angle far from 0 and from half turns, where both ways are well defined.
+    static Pairs draw_pairs(Random &random, std::size_t count)
+    {
+        Pairs pairs{Numbers(8 * count), Numbers(8 * count)};
+        for (std::size_t i = 0; i < count; ++i) {
+            const long double angle = random.uniform(0.5, 1.5);
+            draw_poses(random, Way::longer, random.chance(2) ? angle : pi - angle, &pairs.first[8 * i],
+                       &pairs.second[8 * i]);
+        }
+        return pairs;
     }
 
     static Numbers draw_bivectors(Random &random, std::size_t count, long double angle)
@@ -307,6 +352,159 @@ TYPED_TEST(GroupTest, slerp_of_a_motor_and_itself_stays_there)
     });
 }
 
+TYPED_TEST(GroupTest, the_long_way_begins_with_the_first_and_ends_with_the_second_turned_once_more)
+{
+    using Group = TestFixture;
+    this->on_every_isa([] {
+        Random random(84);
+        const auto pairs = Group::draw_pairs(random, 300);
+        const auto further = Group::negated(Group::with_signs_of(pairs.first, pairs.second));
+        const auto &first = pairs.first, &second = pairs.second;
+        Group::expect_close(Group::slerp(first, second, 0, MW_LONG_WAY), first, 8, 2, 2, pairs.larger_of(first));
+        Group::expect_close(Group::slerp(first, second, 1, MW_LONG_WAY), further, 8, 12, 40,
+                            pairs.larger_of(further));
+        EXPECT_EQ(Group::slerp(first, Group::negated(second), 0.25f, MW_LONG_WAY),
+                  Group::slerp(first, second, 0.25f, MW_LONG_WAY));
+    });
+}
+
+// Half the angle between the poses is h on the short way and π - h, the other way round, on the long one: halfway
+// there its half, where s = cos(½(π - h)) = sin(½h).
+TYPED_TEST(GroupTest, the_long_way_turns_by_what_is_missing_to_a_full_turn)
+{
+    using Group = TestFixture;
+    using T = TypeParam;
+    this->on_every_isa([] {
+        Random random(85);
+        const auto pairs = Group::draw_pairs(random, 300);
+        const auto nearer = Group::with_signs_of(pairs.first, pairs.second);
+        const auto halfway = Group::slerp(pairs.first, pairs.second, 0.5f, MW_LONG_WAY);
+        for (std::size_t i = 0; i < halfway.size(); i += 8) {
+            const reference::Motor back = reference::reverse(exact_motor(&pairs.first[i]));
+            const reference::Motor whole = reference::compose(back, exact_motor(&nearer[i]));
+            const reference::Motor half = reference::compose(back, exact_motor(&halfway[i]));
+            const long double h = std::atan2(length_of(whole, 1, 4), static_cast<long double>(whole[0]));
+            const reference::Real along = whole[1] * half[1] + whole[2] * half[2] + whole[3] * half[3];
+            ASSERT_NEAR(static_cast<double>(static_cast<long double>(half[0])), static_cast<double>(std::sin(h / 2)),
+                        static_cast<double>(12 * epsilon<T>))
+                << "element " << i / 8;
+            ASSERT_LT(static_cast<long double>(along), 0) << "element " << i / 8 << " turns the short way";
+        }
+    });
+}
+
+// There any axis will do, and which one it is rounding decides; what goes about it is a rotation all the same.
+TYPED_TEST(GroupTest, the_long_way_from_a_pose_to_itself_is_about_some_axis)
+{
+    using Group = TestFixture;
+    using T = TypeParam;
+    this->on_every_isa([] {
+        Random random(90);
+        const auto motors = Group::draw_motors(random, 300);
+        for (float t : {0.25f, 0.5f, 1.f}) {
+            const auto between = Group::slerp(motors, motors, t, MW_LONG_WAY);
+            for (std::size_t i = 0; i < between.size(); i += 8)
+                ASSERT_NEAR(static_cast<double>(length_of(&between[i], 0, 4)), 1, static_cast<double>(8 * epsilon<T>))
+                    << "element " << i / 8 << " at " << t;
+        }
+    });
+}
+
+// They have no long way.
+TYPED_TEST(GroupTest, slerp_between_translations_is_linear_the_long_way_too)
+{
+    using Group = TestFixture;
+    this->on_every_isa([] {
+        const auto first = Group::repeated({1, 0, 0, 0, -1, 4, 0, 0});
+        const auto second = Group::repeated({1, 0, 0, 0, 1, 2, 3, 0});
+        const auto quarter = Group::repeated({1, 0, 0, 0, -0.5f, 3.5f, 0.75f, 0});
+        EXPECT_EQ(Group::slerp(first, second, 0.25f, MW_LONG_WAY), quarter);
+        EXPECT_EQ(Group::slerp(first, Group::negated(second), 0.25f, MW_LONG_WAY), quarter);
+    });
+}
+
+TYPED_TEST(GroupTest, nlerp_begins_with_the_first_and_ends_with_the_second)
+{
+    using Group = TestFixture;
+    this->on_every_isa([] {
+        Random random(86);
+        const auto pairs = Group::draw_pairs(random, 300);
+        const auto &first = pairs.first, &second = pairs.second;
+        const auto nearer = Group::with_signs_of(first, second), further = Group::negated(nearer);
+        for (unsigned flags : {MW_DEFAULT, MW_LONG_WAY}) {
+            const auto &last = flags == MW_LONG_WAY ? further : nearer;
+            Group::expect_close(Group::nlerp(first, second, 0, flags), first, 8, 3, 6, pairs.larger_of(first));
+            Group::expect_close(Group::nlerp(first, second, 1, flags), last, 8, 3, 6, pairs.larger_of(last));
+            EXPECT_EQ(Group::nlerp(first, Group::negated(second), 0.25f, flags),
+                      Group::nlerp(first, second, 0.25f, flags));
+        }
+        Group::expect_close(Group::nlerp(first, first, 0.3f), first, 8, 3, 6, Group::translation_of);
+    });
+}
+
+TYPED_TEST(GroupTest, nlerp_is_the_same_from_either_end)
+{
+    using Group = TestFixture;
+    this->on_every_isa([] {
+        Random random(87);
+        const auto pairs = Group::draw_pairs(random, 300);
+        for (unsigned flags : {MW_DEFAULT, MW_LONG_WAY})
+            for (float t : {0.125f, 0.25f, 0.5f}) {
+                const auto there = Group::nlerp(pairs.first, pairs.second, t, flags);
+                const auto back = Group::nlerp(pairs.second, pairs.first, 1 - t, flags);
+                const auto same_sign = Group::with_signs_of(there, back);
+                Group::expect_close(there, same_sign, 8, 8, 24, pairs.larger_of(same_sign));
+            }
+    });
+}
+
+// The root of a motor is 1 + S, normalised, whatever S is.
+TYPED_TEST(GroupTest, nlerp_halfway_is_slerp_halfway)
+{
+    using Group = TestFixture;
+    this->on_every_isa([] {
+        Random random(88);
+        const auto pairs = Group::draw_pairs(random, 300);
+        for (unsigned flags : {MW_DEFAULT, MW_LONG_WAY}) {
+            const auto slerp = Group::slerp(pairs.first, pairs.second, 0.5f, flags);
+            Group::expect_close(Group::nlerp(pairs.first, pairs.second, 0.5f, flags), slerp, 8, 12, 40,
+                                pairs.larger_of(slerp));
+        }
+    });
+}
+
+TYPED_TEST(GroupTest, nlerp_between_translations_is_linear)
+{
+    using Group = TestFixture;
+    this->on_every_isa([] {
+        const auto first = Group::repeated({1, 0, 0, 0, -1, 4, 0, 0});
+        const auto second = Group::repeated({1, 0, 0, 0, 1, 2, 3, 0});
+        const auto quarter = Group::repeated({1, 0, 0, 0, -0.5f, 3.5f, 0.75f, 0});
+        EXPECT_EQ(Group::nlerp(first, second, 0.25f), quarter);
+        EXPECT_EQ(Group::nlerp(first, Group::negated(second), 0.25f), quarter);
+    });
+}
+
+// The product has the errors of three motors, each as large as the longer translation.
+TYPED_TEST(GroupTest, the_first_and_then_the_ratio_is_the_second)
+{
+    using Group = TestFixture;
+    this->on_every_isa([] {
+        Random random(89);
+        const auto pairs = Group::draw_pairs(random, 300);
+        for (unsigned flags : {MW_DEFAULT, MW_UNIT_MOTORS}) {
+            const auto ratio = Group::ratio(pairs.first, pairs.second, flags);
+            Group::expect_close(Group::compose(pairs.first, ratio), pairs.second, 8, 4, 10,
+                                pairs.larger_of(pairs.second));
+        }
+        auto multiples = pairs.first;  // of a motor any multiple will do
+        for (std::size_t i = 0; i < multiples.size(); ++i)
+            multiples[i] *= i / 8 % 2 ? 8 : -0.5f;
+        Group::expect_close(Group::compose(multiples, Group::ratio(multiples, pairs.second)), pairs.second, 8, 4, 10,
+                            pairs.larger_of(pairs.second));
+    });
+}
+
 TYPED_TEST(GroupTest, exp_of_the_shortest_logarithm_is_the_motor_up_to_its_sign)
 {
     using Group = TestFixture;
@@ -444,7 +642,7 @@ TYPED_TEST(GroupTest, a_stride_of_0_is_one_number_for_all)
     using T = TypeParam;
     this->on_every_isa([] {
         Random random(80);
-        for (std::size_t count : {1, 2, 7, 16, 33, 100}) {
+        for (std::size_t count : {1, 2, 7, 16, 33, 100, 255, 256, 257, 600}) {
             const auto first = Group::draw_motors(random, count), second = Group::draw_motors(random, count);
             const std::vector<T> numbers(count, T(0.3));
             typename Group::Numbers many(8 * count), once(8 * count);
@@ -458,13 +656,17 @@ TYPED_TEST(GroupTest, a_stride_of_0_is_one_number_for_all)
             expect_same([&](auto out, const T *number, std::size_t stride) {
                 return Api<T>::power_motor_each(out, Group::in_motors(first), number, stride, count);
             });
-            expect_same([&](auto out, const T *number, std::size_t stride) {
-                return Api<T>::slerp_motor_each(out, Group::in_motors(first), Group::in_motors(second), number,
-                                                stride, count);
-            });
-            expect_same([&](auto out, const T *number, std::size_t stride) {
-                return Api<T>::slerp_motor_one(out, Group::motor(first), Group::motor(second), number, stride, count);
-            });
+            for (unsigned flags : {MW_DEFAULT, MW_LONG_WAY}) {
+                for (const auto each : {Api<T>::slerp_motor_each, Api<T>::nlerp_motor_each})
+                    expect_same([&](auto out, const T *number, std::size_t stride) {
+                        return each(out, Group::in_motors(first), Group::in_motors(second), number, stride, count,
+                                    flags);
+                    });
+                for (const auto one : {Api<T>::slerp_motor_one, Api<T>::nlerp_motor_one})
+                    expect_same([&](auto out, const T *number, std::size_t stride) {
+                        return one(out, Group::motor(first), Group::motor(second), number, stride, count, flags);
+                    });
+            }
         }
     });
 }
@@ -483,10 +685,10 @@ TYPED_TEST(GroupTest, slerp_between_two_fixed_motors_is_that_of_each)
         typename Group::Numbers each(firsts.size()), fixed(firsts.size());
         ASSERT_EQ(Api<T>::slerp_motor_each(Group::out_motors(each), Group::in_motors(firsts),
                                            Group::in_motors(seconds), parameters.data(), sizeof(T),
-                                           parameters.size()),
+                                           parameters.size(), MW_DEFAULT),
                   MW_OK);
         ASSERT_EQ(Api<T>::slerp_motor_one(Group::out_motors(fixed), Group::motor(first), Group::motor(second),
-                                          parameters.data(), sizeof(T), parameters.size()),
+                                          parameters.data(), sizeof(T), parameters.size(), MW_DEFAULT),
                   MW_OK);
         const auto larger = [&](const T *) { return std::max(length_of(first, 4, 8), length_of(second, 4, 8)); };
         Group::expect_close(fixed, each, 8, 4, 4, larger);
@@ -521,6 +723,7 @@ TYPED_TEST(GroupTest, what_is_not_finite_stays_in_its_element_and_shows)
     this->on_every_isa([&] {
         Random random(82);
         const Batch motors = Group::draw_motors(random, 37), bivectors = Group::draw_bivectors(random, 37, pi);
+        const Batch others = Group::draw_motors(random, 37);
         expect_spoilt(bivectors, 6, Group::exp);
         for (reference::Branch branch : Group::branches)
             for (unsigned flags : {MW_DEFAULT, MW_UNIT_MOTORS})
@@ -528,8 +731,15 @@ TYPED_TEST(GroupTest, what_is_not_finite_stays_in_its_element_and_shows)
         expect_spoilt(motors, 8, Group::sqrt);
         expect_spoilt(motors, 8, Group::inverse);
         expect_spoilt(motors, 8, [](const Batch &n) { return Group::power(n, T(0.3)); });
-        expect_spoilt(motors, 8, [&](const Batch &n) { return Group::slerp(n, motors, T(0.3)); });
-        expect_spoilt(motors, 8, [&](const Batch &n) { return Group::slerp(motors, n, T(0.3)); });
+        for (const auto function : {Group::slerp, Group::nlerp})
+            for (unsigned flags : {MW_DEFAULT, MW_LONG_WAY}) {
+                expect_spoilt(motors, 8, [&](const Batch &n) { return function(n, others, T(0.3), flags); });
+                expect_spoilt(motors, 8, [&](const Batch &n) { return function(others, n, T(0.3), flags); });
+            }
+        for (unsigned flags : {MW_DEFAULT, MW_UNIT_MOTORS}) {
+            expect_spoilt(motors, 8, [&](const Batch &n) { return Group::ratio(n, others, flags); });
+            expect_spoilt(motors, 8, [&](const Batch &n) { return Group::ratio(others, n, flags); });
+        }
     });
 }
 

@@ -224,7 +224,9 @@ private:
                 views_.push_back(views_[*in_place_of_]);
                 continue;
             }
-            const Layout &layout = is_output ? output_layout_ : input_layouts_[operand];
+            const Operand kind = is_output ? subject_.output() : pool_.operands[operand].operand;
+            const Layout asked = is_output ? output_layout_ : input_layouts_[operand];
+            const Layout layout = is_matrix(kind) ? asked.with_components_adjacent() : asked;
             const Placement placement = layout.place(components_[operand], count_, scalars_[operand]);
             const std::size_t first_block = blocks_.size();
             for (std::size_t size : placement.block_sizes)
@@ -290,7 +292,7 @@ private:
     void check_results()
     {
         for (std::size_t i = 0; i < count_; ++i) {
-            T result[8];
+            T result[16];
             for (std::size_t c = 0; c < pool_.output_components; ++c)
                 std::memcpy(&result[c], address(operands() - 1, i, c), sizeof(T));
             for (std::size_t c = 0; c < pool_.output_components; ++c)

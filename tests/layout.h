@@ -32,6 +32,9 @@ public:
     // The components with even numbers adjacent in one block, those with odd numbers in another.
     static Layout split() { return {Kind::split, 0}; }
 
+    // With the same gap.
+    Layout with_components_adjacent() const { return aos(gap_); }
+
     Placement place(std::size_t components, std::size_t count, std::size_t scalar) const
     {
         Placement placement;

@@ -18,8 +18,13 @@
 namespace motorway::testing {
 
 // By the views that the API takes them in. The index of an element's motor is drawn as a number, and the subject
-// makes an array of indices of it. Numbers are an array of exponents or parameters.
-enum class Operand { xyz, xyzw, vertices, vectors, lines, motors, bivectors, weights, numbers, indices };
+// makes an array of indices of it. Numbers are an array of exponents or parameters. A pose is two views, of four
+// numbers for the rotation and of three for the translation, and vertices are two of three. A matrix is a pointer to
+// adjacent numbers.
+enum class Operand {
+    xyz, xyzw, vertices, vectors, lines, motors, bivectors, dual_quaternions, poses, matrices_3x4, matrices_4x4,
+    weights, numbers, indices
+};
 
 // Of one element; of weights there are as many as a blend has terms.
 constexpr std::size_t components_of(Operand operand)
@@ -32,8 +37,27 @@ constexpr std::size_t components_of(Operand operand)
     case Operand::lines: return 6;
     case Operand::motors: return 8;
     case Operand::bivectors: return 6;
+    case Operand::dual_quaternions: return 8;
+    case Operand::poses: return 7;
+    case Operand::matrices_3x4: return 12;
+    case Operand::matrices_4x4: return 16;
     default: return 1;
     }
+}
+
+// Of the view with the most, which the stride must have room for.
+constexpr std::size_t components_of_a_view(Operand operand)
+{
+    switch (operand) {
+    case Operand::vertices: return 3;
+    case Operand::poses: return 4;
+    default: return components_of(operand);
+    }
+}
+
+constexpr bool is_matrix(Operand operand)
+{
+    return operand == Operand::matrices_3x4 || operand == Operand::matrices_4x4;
 }
 
 // The exact components of an element of the result, and how far from each the computed one may be.

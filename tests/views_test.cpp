@@ -64,7 +64,9 @@ void expect_views(V (*aos)(Element *, std::size_t), V (*soa)(T *const *), V (*fr
     MOTORWAY_TEST_VIEW(vectors, P, scalar_##P, _soa)                                                                 \
     MOTORWAY_TEST_VIEW(lines, P, scalar_##P, _soa)                                                                   \
     MOTORWAY_TEST_VIEW(motors, P, mw_motor_##P, _soa)                                                                \
-    MOTORWAY_TEST_VIEW(bivectors, P, scalar_##P, _soa)
+    MOTORWAY_TEST_VIEW(bivectors, P, scalar_##P, _soa)                                                               \
+    MOTORWAY_TEST_VIEW(dual_quaternions, P, scalar_##P, _soa)                                                        \
+    MOTORWAY_TEST_VIEW(screws, P, scalar_##P, _soa)
 
 TEST(Views, of_f32_point_to_their_components) { MOTORWAY_TEST_VIEWS(f32) }
 TEST(Views, of_f64_point_to_their_components) { MOTORWAY_TEST_VIEWS(f64) }
@@ -79,6 +81,33 @@ TEST(Views, of_three_arrays_take_them_one_by_one)
     EXPECT_EQ(pointers_of(mw_const_xyz_f64_soa(d + 2, d, d + 1)), pointers_of(mw_xyz_f64{d + 2, d, d + 1, 8}));
     EXPECT_EQ(mw_xyz_f32_soa(f, f + 1, f + 2).stride, 4u);
     EXPECT_EQ(mw_xyz_f64_soa(d, d + 1, d + 2).stride, 8u);
+}
+
+// Where w comes first in memory; the names stay with their components.
+#define MOTORWAY_TEST_WXYZ(kind, P, scalar, of_numbers)                                                              \
+    {                                                                                                                \
+        SCOPED_TRACE(#kind #P);                                                                                      \
+        of_numbers scalar numbers[8] = {};                                                                           \
+        const auto q = mw_##kind##xyzw_##P##_wxyz(numbers, 77);                                                      \
+        EXPECT_EQ(std::vector({q.w, q.x, q.y, q.z}), std::vector({numbers, numbers + 1, numbers + 2, numbers + 3})); \
+        EXPECT_EQ(q.stride, 77u);                                                                                    \
+        const auto d = mw_##kind##dual_quaternions_##P##_wxyz(numbers, 78);                                          \
+        EXPECT_EQ(std::vector({d.rw, d.rx, d.ry, d.rz, d.dw, d.dx, d.dy, d.dz}),                                     \
+                  std::vector({numbers, numbers + 1, numbers + 2, numbers + 3, numbers + 4, numbers + 5,             \
+                               numbers + 6, numbers + 7}));                                                          \
+        EXPECT_EQ(d.stride, 78u);                                                                                    \
+        for (const char *pointer : pointers_of(mw_##kind##xyzw_##P##_wxyz(nullptr, 77)))                             \
+            EXPECT_EQ(pointer, nullptr);                                                                             \
+        for (const char *pointer : pointers_of(mw_##kind##dual_quaternions_##P##_wxyz(nullptr, 77)))                 \
+            EXPECT_EQ(pointer, nullptr);                                                                             \
+    }
+
+TEST(Views, of_quaternions_may_have_w_first)
+{
+    MOTORWAY_TEST_WXYZ(, f32, float, )
+    MOTORWAY_TEST_WXYZ(, f64, double, )
+    MOTORWAY_TEST_WXYZ(const_, f32, float, const)
+    MOTORWAY_TEST_WXYZ(const_, f64, double, const)
 }
 
 TEST(Views, of_vertices_are_two)

@@ -29,7 +29,8 @@ Maker = Callable[[Results], Iterable[Optional[Bar]]]
 def bars(results: Results) -> List[Bar]:
     """Those for which the run has measured both sides."""
     makers: List[Maker] = [_one_packed, _one_packed_few, _one_strided, _one_soa, _one_beyond_caches, _each_soa,
-                           _each_packed, _grid, _avx2, _f64, _threads]
+                           _each_packed, _grid, _avx2, _f64, _threads, _group_limits, _group_rivals, _group_packed,
+                           _group_f64, _conversions, _skeletons]
     return [bar for maker in makers for bar in maker(results) if bar]
 
 
@@ -139,3 +140,46 @@ def _threads(results: Results):
         for layout in ("aos", "soa"):
             two = results.find(kernel, layout, "f32", 1024, results.isas[0], threads=2)
             yield _ratio(two, _ours(results, kernel, layout, 1024), 1.8, "one thread")
+
+
+# ----------------------------------------------------------------------------------------- the group of motors
+
+GROUP = ("compose_motor_each", "exp_motor_each", "log_motor_each-unit", "slerp_motor_each")
+
+
+def _group_limits(results: Results):
+    for kernel, asked in zip(GROUP, (0.8, 0.6, 0.6, 0.6)):
+        ours = _ours(results, kernel, "soa", 1024)
+        yield _part(ours, results.fma_seconds(ours) if ours else None, asked, "limit_fma")
+
+
+def _group_rivals(results: Results):
+    for kernel, rival, asked in (("exp_motor_each", "libm", 12), ("log_motor_each-unit", "libm", 20),
+                                 ("slerp_motor_each", "libm", 20), ("slerp_motor_each", "eigen", 3)):
+        other = results.find(kernel.replace("-unit", ""), "aos", "f32", 1024, rival=rival)
+        yield _ratio(_ours(results, kernel, "soa", 1024), other, asked, "packed, one after the other")
+
+
+def _group_packed(results: Results):
+    for kernel in GROUP:
+        yield _ratio(_ours(results, kernel, "aos", 1024), _ours(results, kernel, "soa", 1024), 0.65,
+                     "the same in soa")
+
+
+def _group_f64(results: Results):
+    for kernel in GROUP:
+        yield _ratio(_ours(results, kernel, "soa", 1024, "f64"), _ours(results, kernel, "soa", 1024), 0.5 * 0.8,
+                     "the same in f32")
+
+
+def _conversions(results: Results):
+    for row in results.rows:
+        wanted = (row.precision, row.count, row.isa) == ("f32", 65536, results.isas[0])
+        if wanted and row.kernel.startswith("convert_"):
+            yield _part(row, results.copy_seconds(row), 0.8, "limit_copy of the same bytes")
+
+
+def _skeletons(results: Results):
+    kernel = "compose_motor_hierarchy"
+    yield _ratio(_ours(results, kernel, "soa", 1000), _plain(results, kernel, "aos", 1000), 4,
+                 "best plain loop, skeleton after skeleton")

@@ -59,7 +59,7 @@ def _heading(results: Results, command: str) -> str:
     facts = [("CPU", f"{context['cpu']}, {context['num_cpus']} CPUs, {caches}"), ("Date", context["date"]),
              ("Instruction sets", context["isas"]), ("Library built by", context["compiler"]),
              ("Plain loops built by", context["baseline_compilers"]),
-             ("Other libraries", context["baseline_libraries"] + ", stream"), ("Left out", context["skipped"]),
+             ("Other libraries", context["baseline_libraries"] + ", libm, stream"), ("Left out", context["skipped"]),
              ("Command", f"`{command}`"), ("Length", "quick" if context["quick"] == "yes" else "full")]
     load = context.get("load_avg")
     if load:
@@ -90,6 +90,12 @@ two bytes an element, in runs of 32 equal ones, as the rigid parts of a mesh hav
 normal in 24 bytes, in 32 bytes, or in six arrays; `two-passes` is the library in two calls, positions first. `mixed`
 is motors of double on points of float, with a shift before and after; its operations are measured against the
 `limit_fma` of double.
+
+What is computed of motors has unit motors that turn by any angle, generators that turn by up to a half turn and
+parameters from 0 to 1. `libm` is the same in scalar code that calls the C library. Of `slerp_motor_each`, `eigen`
+interpolates the rotations alone, in quaternions. `compose_motor_hierarchy` is skeletons of 64 joints, each the child
+of the one before, and its count is that of skeletons: side by side in `soa`, one after the other in `aos`. Matrices
+and quaternions `wxyz` have no `soa`.
 
 The limit of a row is the larger of two times: its operations (`generated/kernel_list.inc`; divisions and square
 roots are not among them) at the rate of `limit_fma`, and its bytes at the rates of `limit_copy`, `limit_read` and

@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass
 from typing import Dict, List, Optional, Tuple
 
-KERNEL = re.compile(r"(?P<kernel>[a-z]+_[a-z]+_[a-z]+(?:-unit)?)/(?P<layout>aos\d*|aos-columns|soa)/"
+KERNEL = re.compile(r"(?P<kernel>[a-z][a-z0-9_]*(?:-unit)?)/(?P<layout>aos\d*|aos-columns|soa)/"
                     r"(?P<precision>f\d+|mixed)/(?P<isa>[a-z0-9]+)/(?P<count>\d+)"
                     r"(?:/real_time/threads:(?P<threads>\d+))?$")
 BASELINE = re.compile(r"baseline_(?P<rival>[^/]+)/(?P<kernel>[^/]+)/(?P<layout>[^/]+)/(?P<precision>[^/]+)/"

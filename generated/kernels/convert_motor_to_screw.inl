@@ -8,7 +8,7 @@
 // convert motor_to_screw each
 //
 // Forms, all proved equal; operations an element:
-//     closed      95 + 5 div or sqrt   <- chosen
+//     closed      107 + 6 div or sqrt   <- chosen
 struct convert_motor_to_screw_each {
     using arithmetic = convert_motor_to_screw_each;
     static constexpr int fixed_size = 0, constant_size = 0;
@@ -16,8 +16,8 @@ struct convert_motor_to_screw_each {
     using inputs = sizes<8>;
     using outputs = sizes<8>;
 
-    // 33 mul + 1 sub + 13 fma + 12 fnma + 1 negate + 1 magnitude + 1 with_sign + 7 if_less + 2 div + 3 sqrt + 1 arc +
-    // 1 arc_slope: 95 operations in float, 119 in double
+    // 37 mul + 1 sub + 13 fma + 12 fnma + 1 negate + 1 at_least + 4 magnitude + 1 with_sign + 9 if_less + 3 div + 3
+    // sqrt + 1 arc + 1 arc_slope: 107 operations in float, 131 in double
     template <class V> static inline void body(const V *in, V *out)
     {
         const V s = in[0], b12 = in[1], b13 = in[2], b23 = in[3], b1i = in[4], b2i = in[5], b3i = in[6], w = in[7];
@@ -41,19 +41,28 @@ struct convert_motor_to_screw_each {
         const V n1i = r * fma(b23, q, b1i);
         const V g1i = fnma(n23, g, n1i * f);
         const V ux = if_less(V(8.673617379884035e-19), half_angle, g23, g1i);
-        const V n3i = r * fma(b12, q, b3i);
-        const V g3i = fnma(n12, g, n3i * f);
-        const V uz = if_less(V(8.673617379884035e-19), half_angle, g12, g3i);
+        const V shared1 = magnitude(ux);
         const V n2i = r * fnma(b13, q, b2i);
         const V g2i = fma(n13, g, n2i * f);
         const V uy = if_less(V(8.673617379884035e-19), half_angle, negate(g13), g2i);
-        const V length_square = fma(uz, uz, fma(uy, uy, ux * ux));
+        const V shared2 = magnitude(uy);
+        const V shared3 = if_less(shared1, shared2, shared2, shared1);
+        const V n3i = r * fma(b12, q, b3i);
+        const V g3i = fnma(n12, g, n3i * f);
+        const V uz = if_less(V(8.673617379884035e-19), half_angle, g12, g3i);
+        const V shared4 = magnitude(uz);
+        const V scale = at_least(if_less(shared3, shared4, shared4, shared3), V(7.52316384526264e-37));
+        const V inverse = V(1) / scale;
+        const V dx = ux * inverse;
+        const V dz = uz * inverse;
+        const V dy = uy * inverse;
+        const V length_square = fma(dz, dz, fma(dy, dy, dx * dx));
         const V length = sqrt(length_square);
         const V i = if_less(V(0), length, V(1) / length, V(0));
-        const V axis_x = ux * i;
-        const V axis_y = uy * i;
-        const V axis_z = if_less(V(0), length, uz * i, V(1));
-        const V lever = if_less(V(8.673617379884035e-19), half_angle, i, V(0));
+        const V axis_x = dx * i;
+        const V axis_y = dy * i;
+        const V axis_z = if_less(V(0), length, dz * i, V(1));
+        const V lever = if_less(V(8.673617379884035e-19), half_angle, inverse * i, V(0));
         const V along = fma(g3i, axis_z, fma(g2i, axis_y, g1i * axis_x));
         const V my = fnma(axis_y, along, g2i);
         const V mz = fnma(axis_z, along, g3i);

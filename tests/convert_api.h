@@ -1,0 +1,122 @@
+// The conversions, matrices and twists of the C API by precision: ConvertApi<float>::motor_to_pose is
+// mw_convert_motor_to_pose_each_f32. And views of any components as those that they take.
+#ifndef MOTORWAY_TESTS_CONVERT_API_H
+#define MOTORWAY_TESTS_CONVERT_API_H
+
+#include <array>
+#include <cstddef>
+
+#include "api.h"
+#include "motorway.h"
+
+namespace motorway::testing {
+
+template <class T>
+struct ConvertApi;
+
+#define MOTORWAY_TEST_CONVERT_API(T, precision)                                                          \
+    template <>                                                                                          \
+    struct ConvertApi<T> {                                                                               \
+        using Xyzw = mw_xyzw_##precision;                                                                \
+        using ConstXyzw = mw_const_xyzw_##precision;                                                     \
+        using DualQuaternions = mw_dual_quaternions_##precision;                                         \
+        using ConstDualQuaternions = mw_const_dual_quaternions_##precision;                              \
+        using Screws = mw_screws_##precision;                                                            \
+        using ConstScrews = mw_const_screws_##precision;                                                 \
+        using Matrices = mw_matrices_##precision;                                                        \
+        using ConstMatrices = mw_const_matrices_##precision;                                             \
+        using Twist = mw_twist_##precision;                                                              \
+        static constexpr auto motor_to_pose = mw_convert_motor_to_pose_each_##precision;                 \
+        static constexpr auto pose_to_motor = mw_convert_pose_to_motor_each_##precision;                 \
+        static constexpr auto motor_to_dual_quaternion =                                                 \
+            mw_convert_motor_to_dual_quaternion_each_##precision;                                        \
+        static constexpr auto dual_quaternion_to_motor =                                                 \
+            mw_convert_dual_quaternion_to_motor_each_##precision;                                        \
+        static constexpr auto motor_to_matrix = mw_convert_motor_to_matrix_each_##precision;             \
+        static constexpr auto matrix_to_motor = mw_convert_matrix_to_motor_each_##precision;             \
+        static constexpr auto check_matrices = mw_check_matrices_##precision;                            \
+        static constexpr auto motor_to_axis_angle = mw_convert_motor_to_axis_angle_each_##precision;     \
+        static constexpr auto axis_angle_to_motor = mw_convert_axis_angle_to_motor_each_##precision;     \
+        static constexpr auto motor_to_euler = mw_convert_motor_to_euler_each_##precision;               \
+        static constexpr auto euler_to_motor = mw_convert_euler_to_motor_each_##precision;               \
+        static constexpr auto translation_to_motor = mw_convert_translation_to_motor_each_##precision;   \
+        static constexpr auto motor_to_translation = mw_convert_motor_to_translation_each_##precision;   \
+        static constexpr auto motor_to_screw = mw_convert_motor_to_screw_each_##precision;               \
+        static constexpr auto screw_to_motor = mw_convert_screw_to_motor_each_##precision;               \
+        static constexpr auto motor_to_rotor = mw_convert_motor_to_rotor_each_##precision;               \
+        static constexpr auto rotor_to_motor = mw_convert_rotor_to_motor_each_##precision;               \
+        static constexpr auto split_bivector = mw_split_bivector_##precision;                            \
+        static constexpr auto twist_pose = mw_twist_pose_##precision;                                    \
+        static constexpr auto twist_position = mw_twist_position_##precision;                            \
+    };
+
+MOTORWAY_TEST_CONVERT_API(float, f32)
+MOTORWAY_TEST_CONVERT_API(double, f64)
+#undef MOTORWAY_TEST_CONVERT_API
+
+// The quaternion whose x, y, z and w are these components of the view.
+template <class Quaternions, class T>
+Quaternions quaternions(const View<T> &view, const std::array<std::size_t, 4> &xyzw)
+{
+    const auto &c = view.component;
+    return {c[xyzw[0]], c[xyzw[1]], c[xyzw[2]], c[xyzw[3]], view.stride};
+}
+
+// Likewise, of both quaternions, the second of which is behind the first.
+template <class DualQuaternions, class T>
+DualQuaternions dual_quaternions(const View<T> &view, const std::array<std::size_t, 4> &xyzw)
+{
+    const auto &c = view.component;
+    return {c[xyzw[0]],     c[xyzw[1]],     c[xyzw[2]],     c[xyzw[3]],    c[4 + xyzw[0]],
+            c[4 + xyzw[1]], c[4 + xyzw[2]], c[4 + xyzw[3]], view.stride};
+}
+
+constexpr std::array<std::size_t, 4> x_first{0, 1, 2, 3}, w_first{1, 2, 3, 0};
+
+// Three components from number `first` on.
+template <class Xyz, class T>
+Xyz vectors(const View<T> &view, std::size_t first)
+{
+    const auto &c = view.component;
+    return {c[first], c[first + 1], c[first + 2], view.stride};
+}
+
+template <class Screws, class T>
+Screws screws(const View<T> &view)
+{
+    const auto &c = view.component;
+    return {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], view.stride};
+}
+
+// Where the number of a row and column is in a matrix; column 3 is the translation.
+inline std::size_t place_in_matrix(mw_matrix_layout layout, std::size_t row, std::size_t column)
+{
+    switch (layout) {
+    case MW_MATRIX_COLUMNS_3X4: return 3 * column + row;
+    case MW_MATRIX_COLUMNS_4X4: return 4 * column + row;
+    default: return 4 * row + column;
+    }
+}
+
+inline std::size_t numbers_of(mw_matrix_layout layout)
+{
+    return layout == MW_MATRIX_ROWS_4X4 || layout == MW_MATRIX_COLUMNS_4X4 ? 16 : 12;
+}
+
+constexpr mw_matrix_layout all_matrix_layouts[] = {MW_MATRIX_ROWS_3X4, MW_MATRIX_ROWS_4X4, MW_MATRIX_COLUMNS_3X4,
+                                                   MW_MATRIX_COLUMNS_4X4};
+constexpr const char *names_of_layouts[] = {"rows 3x4", "rows 4x4", "columns 3x4", "columns 4x4"};
+
+// In the order of mw_euler_order.
+constexpr const char *names_of_orders[] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx",
+                                           "xyx", "xzx", "yxy", "yzy", "zxz", "zyz"};
+
+// The axis of the k-th rotation: 0, 1, 2 for x, y, z.
+inline std::size_t axis_of(mw_euler_order order, std::size_t k)
+{
+    return static_cast<std::size_t>(names_of_orders[order][k] - 'x');
+}
+
+}  // namespace motorway::testing
+
+#endif
