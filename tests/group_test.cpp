@@ -657,14 +657,15 @@ TYPED_TEST(GroupTest, a_stride_of_0_is_one_number_for_all)
                 return Api<T>::power_motor_each(out, Group::in_motors(first), number, stride, count);
             });
             for (unsigned flags : {MW_DEFAULT, MW_LONG_WAY}) {
-                for (const auto each : {Api<T>::slerp_motor_each, Api<T>::nlerp_motor_each})
+                for (const auto interpolate : {Api<T>::slerp_motor_each, Api<T>::nlerp_motor_each})
                     expect_same([&](auto out, const T *number, std::size_t stride) {
-                        return each(out, Group::in_motors(first), Group::in_motors(second), number, stride, count,
-                                    flags);
+                        return interpolate(out, Group::in_motors(first), Group::in_motors(second), number, stride,
+                                           count, flags);
                     });
-                for (const auto one : {Api<T>::slerp_motor_one, Api<T>::nlerp_motor_one})
+                for (const auto interpolate : {Api<T>::slerp_motor_one, Api<T>::nlerp_motor_one})
                     expect_same([&](auto out, const T *number, std::size_t stride) {
-                        return one(out, Group::motor(first), Group::motor(second), number, stride, count, flags);
+                        return interpolate(out, Group::motor(first), Group::motor(second), number, stride, count,
+                                           flags);
                     });
             }
         }
