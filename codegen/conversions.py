@@ -10,6 +10,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from algebra import OMEGA, Multivector, e
+from elements import DUAL_QUATERNION, SCREW
 from expression import function, precise, root
 from formulas import alpha, half_commutator_image, unnamed
 from motor_group import log_shortest, normalized
@@ -56,7 +57,7 @@ def pose_to_motor(q, t, let):
 
 def motor_to_dual_quaternion(S, let):
     numbers = (*vector_of(S), S[""], S["1i"], S["2i"], S["3i"], -S[OMEGA])
-    return dict(zip(("rx", "ry", "rz", "rw", "dx", "dy", "dz", "dw"), numbers))
+    return dict(zip(DUAL_QUATERNION.names, numbers))
 
 
 def dual_quaternion_to_motor(q, let):
@@ -80,15 +81,15 @@ def motor_to_matrix(S, let):
 
 
 def matrix_to_motor(m, let):
-    """Each row of 4qqᵀ is the quaternion times 4 of its components: the row of one that is at least a quarter in square
-    is taken (Shepperd), chosen by three comparisons (Day), and normalised."""
+    """Each row of 4qqᵀ is the quaternion times 4 of its components: the row of one that is at least a quarter in
+    square is taken (Shepperd), chosen by three comparisons (Day), and normalised."""
 
     def pick(name, condition, then, otherwise):
         return [let(f"{name}{c}", function("if_less", *condition, a, b)) for c, a, b in zip("wxyz", then, otherwise)]
 
     m00, m11, m22 = m["m00"], m["m11"], m["m22"]
-    wx, wy, wz = (let(n, m[a] - m[b]) for n, a, b in (("wx", "m21", "m12"), ("wy", "m02", "m20"), ("wz", "m10", "m01")))
-    xy, zx, yz = (let(n, m[a] + m[b]) for n, a, b in (("xy", "m10", "m01"), ("zx", "m02", "m20"), ("yz", "m21", "m12")))
+    wx, wy, wz = let("wx", m["m21"] - m["m12"]), let("wy", m["m02"] - m["m20"]), let("wz", m["m10"] - m["m01"])
+    yz, zx, xy = let("yz", m["m21"] + m["m12"]), let("zx", m["m02"] + m["m20"]), let("xy", m["m10"] + m["m01"])
     sum, difference = let("sum", m00 + m11), let("difference", m00 - m11)
     of_x = (wx, let("xx", 1 + difference - m22), xy, zx)
     of_y = (wy, xy, let("yy", 1 - difference - m22), yz)
@@ -184,8 +185,8 @@ def first_and_third(plus, minus, sign, let):
 
 
 def motor_to_euler(axes, sign, S, let):
-    """About three different axes i, j, k. With half angles, w ± q_j and q_i ± q_k are cos and sin of half the sum and half
-    the difference of the first and third, times cos θ/2 ± sin θ/2 of the second (Bernardes and Viollet)."""
+    """About three different axes i, j, k. w ± q_j and q_i ± q_k are cos and sin of half the sum and half the difference
+    of the first and third angle, times cos θ/2 ± sin θ/2 of the second (Bernardes and Viollet)."""
     w, q1, q2, q3 = (let(name, c) for name, c in zip(("q0", "q1", "q2", "q3"), in_axes(S, axes)))
     a, b, c, d = let("a", w + q2), let("b", q1 + q3), let("c", w - q2), let("d", q1 - q3)
     first, third = first_and_third(arc_tangent(b, a, "plus", let), arc_tangent(d, c, "minus", let), sign["sign"], let)
@@ -222,9 +223,11 @@ def motor_to_screw(S, let):
     B = let("g", normalized(log_shortest)(S, let))
     turn, moment = vector_of(B), (B["1i"], B["2i"], B["3i"])
     half_angle = let("half_angle", root(let("square", sum(c * c for c in turn))))
-    u = [
-        let(f"u{name}", function("if_less", SMALLEST_ROTATION, half_angle, a, m)) for name, a, m in zip("xyz", turn, moment)
-    ]
+
+    def if_it_turns(then, otherwise):
+        return function("if_less", SMALLEST_ROTATION, half_angle, then, otherwise)
+
+    u = [let(f"u{name}", if_it_turns(a, m)) for name, a, m in zip("xyz", turn, moment)]
     # Scaled, so that no square underflows or overflows: no translation is too short or too long.
     x, y, z = (function("magnitude", c) for c in u)
     scale = let("scale", function("at_least", larger(larger(x, y), z), SMALLEST_LENGTH))
@@ -236,11 +239,10 @@ def motor_to_screw(S, let):
     ax, ay, az = axis = [let(f"axis_{name}", c) for name, c in zip("xyz", axis)]
     along = let("along", sum(a * m for a, m in zip(axis, moment)))
     mx, my, mz = (let(f"m{name}", m - along * a) for name, a, m in zip("xyz", axis, moment))
-    lever = let("lever", function("if_less", SMALLEST_ROTATION, half_angle, i * inverse, 0))
-    turned = function("if_less", SMALLEST_ROTATION, half_angle, half_angle, 0)
-    point = (lever * let("px", ay * mz - az * my), lever * let("py", az * mx - ax * mz), lever * let("pz", ax * my - ay * mx))
-    names = ("ax", "ay", "az", "px", "py", "pz", "angle", "distance")
-    return dict(zip(names, (*axis, *point, 2 * turned, 2 * along)))
+    lever = let("lever", if_it_turns(i * inverse, 0))
+    arm = let("px", ay * mz - az * my), let("py", az * mx - ax * mz), let("pz", ax * my - ay * mx)
+    point = (lever * c for c in arm)
+    return dict(zip(SCREW.names, (*axis, *point, 2 * if_it_turns(half_angle, 0), 2 * along)))
 
 
 def screw_to_motor(screw, let):
@@ -251,11 +253,11 @@ def screw_to_motor(screw, let):
     half = let("half_distance", screw["distance"] / 2)
     shift = let("shift", c * half)
     moments = (py * az - pz * ay, pz * ax - px * az, px * ay - py * ax)
-    ideal = [
-        s * let(f"m{name}", m) + shift * a for name, m, a in zip("xyz", moments, (ax, ay, az))
-    ]
-    R = rotor(c, (s * ax, s * ay, s * az))
-    return R + Multivector({"1i": ideal[0], "2i": ideal[1], "3i": ideal[2], OMEGA: s * half})
+    ideal = {
+        f"{k}i": s * let(f"m{name}", m) + shift * a
+        for k, name, m, a in zip("123", "xyz", moments, (ax, ay, az))
+    }
+    return rotor(c, (s * ax, s * ay, s * az)) + Multivector({**ideal, OMEGA: s * half})
 
 
 def rotor_to_motor(scale, R, let):

@@ -238,7 +238,8 @@ CONVERSIONS: Tuple[Kernel, ...] = (
         "motor_to_axis_angle", (MOTOR,), (QUATERNION, DIRECTION), motor_to_axis_angle, OF_QUATERNION, is_rational=False
     ),
     conversion(
-        "axis_angle_to_motor", (QUATERNION, TRANSLATION), (MOTOR,), axis_angle_to_motor, OF_QUATERNION, is_rational=False
+        "axis_angle_to_motor", (QUATERNION, TRANSLATION), (MOTOR,), axis_angle_to_motor, OF_QUATERNION,
+        is_rational=False,
     ),
     conversion(
         "motor_to_euler", (EULER_AXES, SIGN, MOTOR), (ANGLES, DIRECTION), motor_to_euler, OF_EULER,

@@ -8,7 +8,19 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Dict, FrozenSet, Mapping, Sequence, Tuple, Union
 
-from expression import Expansion, Node, as_term, divide, expand, from_polynomial, function, multiply, named, root, sum_of
+from expression import (
+    Expansion,
+    Node,
+    as_term,
+    divide,
+    expand,
+    from_polynomial,
+    function,
+    multiply,
+    named,
+    root,
+    sum_of,
+)
 from plan import Plan, make_plan, reachable
 from polynomial import ONE, Polynomial, Quotient
 

@@ -92,8 +92,8 @@ template <class T> void copy_motors(const view<T, 8> &to, const view<const T, 8>
             __builtin_memcpy(to.from(i).component[c], from.from(i).component[c], sizeof(T));
 }
 
-// Instances that are taken through all joints before the next are begun: few enough that a parent is still in the second
-// cache, and in rows long enough for the prefetcher.
+// Instances that are taken through all joints before the next are begun: few enough that a parent is still in the
+// second cache, and in rows long enough for the prefetcher.
 constexpr std::size_t instance_chunk = 1024;
 
 template <class T>

@@ -108,8 +108,8 @@ enum {
      * much as they should. */
     MW_UNIT_MOTORS = 1,
     /* Results go past the caches straight to memory, or never do. Without either flag they do where that is faster:
-     * if the call moves more bytes than MW_STREAMING_BYTES, out of place. Only points, directions and vertices can, if
-     * they are packed or one array a component; a grid only row by row; and only if some element of all components
+     * if the call moves more bytes than MW_STREAMING_BYTES, out of place. Only points, directions and vertices can,
+     * if they are packed or one array a component; a grid only row by row; and only if some element of all components
      * begins a cache line, which takes bases that are multiples of sizeof(T) and agree modulo 64. The flag is no
      * error where they cannot. It never changes a result. */
     MW_STREAMING_STORES = 2,
@@ -363,9 +363,9 @@ mw_status mw_check_motors_f64(mw_const_motors_f64 motors, size_t count, size_t *
  *     vector      mw_vectors    moved as a whole: of a point, a sphere or a plane the same of its image
  *     line        mw_lines      the line through the images of its points; its length is kept
  *     motor       mw_motors     T^-1 M T of the motor M under T: the same motion about the moved place
- *     bivector    mw_bivectors  S^-1 B S: the logarithm of a motor, or a twist, moved likewise (the adjoint action). In
- *                               Plücker coordinates, a twist (ω, velocity of the origin) or a wrench (force, torque
- *                               about the origin), it is a line
+ *     bivector    mw_bivectors  S^-1 B S: the logarithm of a motor, or a twist, moved likewise (the adjoint action).
+ *                               In Plücker coordinates, as a twist (ω, velocity of the origin) or a wrench (force,
+ *                               torque about the origin), it is a line
  *
  *     pairing     out[i] is element i ...
  *     one         under `motor`, the same for all
@@ -414,8 +414,8 @@ MW_OPERANDS(MW_DECLARE_APPLY, f64)
 #undef MW_DECLARE_APPLY
 
 /* Large worlds: motors of double on points of float. out[i] = F_S(points[i] - before) + after, all of it computed in
- * double and rounded once. Points may so be stored near an origin of their own, and come out near another, such as the
- * camera: before = -(the origin of the points), after = -(the camera). `shift` null: both are zero.
+ * double and rounded once. Points may so be stored near an origin of their own, and come out near another, such as
+ * the camera: before = -(the origin of the points), after = -(the camera). `shift` null: both are zero.
  * Pairings, flags and errors as above. (Directions need no double: round the motor, and use the f32 functions.) */
 typedef struct mw_shift { double before[3], after[3]; } mw_shift;
 mw_status mw_apply_point_one_mixed(mw_xyz_f32 out, const mw_motor_f64 *motor, const mw_shift *shift,
@@ -462,9 +462,9 @@ mw_status mw_compose_motor_one_then_f64(mw_motors_f64 out, mw_const_motors_f64 f
  * j * joint_stride bytes after those of joint 0, of locals and of out alike: instances side by side
  * (joint_stride >= count * stride) are a lane each, which is the fast way; skeletons one after the other have
  * stride >= joint_count * joint_stride.
- * In place if locals is out with the same joint_stride. MW_ERROR_NULL, MW_ERROR_STRIDE (also joints that run into each
- * other), MW_ERROR_SIZE, MW_ERROR_OVERLAP; MW_ERROR_PARENT if parents[j] >= j, and then *first_bad (unless that pointer
- * is null) is j. */
+ * In place if locals is out with the same joint_stride. MW_ERROR_NULL, MW_ERROR_STRIDE (also joints that run into
+ * each other), MW_ERROR_SIZE, MW_ERROR_OVERLAP; MW_ERROR_PARENT if parents[j] >= j, and then *first_bad (unless that
+ * pointer is null) is j. */
 mw_status mw_compose_motor_hierarchy_f32(mw_motors_f32 out, mw_const_motors_f32 locals, size_t joint_stride,
                                          const int32_t *parents, size_t joint_count, size_t count,
                                          size_t *first_bad);
@@ -558,8 +558,8 @@ mw_status mw_slerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, c
 
 /* out[i] = (1-t) first[i] ± t second[i], normalised ("method 1" of the lecture notes; equation (5) of the paper): the
  * same poses at both ends and almost the same path as slerp, at less than half the cost and at a speed that is not
- * constant. Both normalised; for every t. The long way (MW_LONG_WAY) is the sum with the other sign, which is degenerate
- * where the two cancel: halfway between equal poses. mw_blend_motor_* is the same without normalising.
+ * constant. Both normalised; for every t. The long way (MW_LONG_WAY) is the sum with the other sign, which is
+ * degenerate where the two cancel: halfway between equal poses. mw_blend_motor_* is the same without normalising.
  * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS. */
 mw_status mw_nlerp_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 first, mw_const_motors_f32 second,
                                   const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
@@ -576,14 +576,14 @@ mw_status mw_nlerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, c
  * one; motorway.hpp has that as functions of values. docs/conventions.md compares component orders, signs and
  * senses with those of other libraries, each row of it a test.
  *
- * Wherever there is a rotation and a translation, the rotation acts first: p' = R p + t. Every rotation has two motors, S
- * and -S: of matrices comes the one with s >= 0, of angles the product of the cos θ/2 + ..., of quaternions that of the
- * sign given. Motors to be converted need not be normalised, and those made of normalised input are.
+ * Wherever there is a rotation and a translation, the rotation acts first: p' = R p + t. Every rotation has two
+ * motors, S and -S: of matrices comes the one with s >= 0, of angles that of half of each, so that a full turn
+ * more changes the sign, and of quaternions the one with their sign. Motors to be converted need not be normalised, and those made of normalised input are.
  * All: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP; degenerate motors: see mw_check_motors.
  * Error: a few epsilons of the rotation, and of the translation relative to its length; docs/accuracy.md. */
 
 /* Unit quaternions and translations. The sign of the motor is that of the quaternion, and a quaternion of any other
- * length makes a motor of that length, of the same motion: S = w + z e12 - y e13 + x e23, composed with 1 + ½ t e∞. */
+ * length makes a motor of that length, of the same motion: w + z e12 - y e13 + x e23, and then 1 + ½ t e∞. */
 mw_status mw_convert_motor_to_pose_each_f32(mw_xyzw_f32 quaternions, mw_xyz_f32 translations,
                                             mw_const_motors_f32 motors, size_t count);
 mw_status mw_convert_motor_to_pose_each_f64(mw_xyzw_f64 quaternions, mw_xyz_f64 translations,
@@ -606,8 +606,8 @@ mw_status mw_convert_dual_quaternion_to_motor_each_f64(mw_motors_f64 out, mw_con
 
 /* Matrices. From a matrix that is not quite orthonormal comes a normalised motor of about its rotation; with
  * MW_NEAREST_ROTATION that of the rotation nearest to it, in the sum of the squares of the differences, of any matrix
- * (of a reflection too): slower by far, one after the other, by Jacobi's method in double. Also MW_ERROR_MATRIX_LAYOUT,
- * and from matrices MW_ERROR_FLAGS. */
+ * (of a reflection too): slower by far, one after the other, by Jacobi's method in double. Also
+ * MW_ERROR_MATRIX_LAYOUT, and from matrices MW_ERROR_FLAGS. */
 mw_status mw_convert_motor_to_matrix_each_f32(mw_matrices_f32 out, mw_const_motors_f32 motors, size_t count);
 mw_status mw_convert_motor_to_matrix_each_f64(mw_matrices_f64 out, mw_const_motors_f64 motors, size_t count);
 mw_status mw_convert_matrix_to_motor_each_f32(mw_motors_f32 out, mw_const_matrices_f32 matrices, size_t count,
@@ -664,8 +664,8 @@ mw_status mw_convert_screw_to_motor_each_f32(mw_motors_f32 out, mw_const_screws_
 mw_status mw_convert_screw_to_motor_each_f64(mw_motors_f64 out, mw_const_screws_f64 screws, size_t count);
 
 /* Rotors as Wareham and Lasenby write them, which act as R x R̃ and in which lengths are measured in units of `lambda`
- * (their embedding, section 1): R = S̃ with its e∞ part divided by lambda, and n for e∞. The components of rotors are in
- * the order of a motor's, e1∞ standing for e1 n. The sign is kept; exact up to the rounding of 1 / lambda.
+ * (their embedding, section 1): R = S̃ with its e∞ part divided by lambda, and n for e∞. The components of rotors are
+ * in the order of a motor's, e1∞ standing for e1 n. The sign is kept; exact up to the rounding of 1 / lambda.
  * Also MW_ERROR_SCALE. */
 mw_status mw_convert_motor_to_rotor_each_f32(mw_motors_f32 rotors, mw_const_motors_f32 motors, size_t count,
                                              float lambda);
@@ -681,13 +681,14 @@ mw_status mw_convert_rotor_to_motor_each_f64(mw_motors_f64 out, mw_const_motors_
 /* What the motor exp(λB) does, in the parts into which Wareham and Lasenby split its generator (section 2.4):
  *     B = ½ angle (axis e123) + ½ (along + across) e∞
  * with `along` parallel to the axis (their t⊥, normal to the plane of rotation) and `across` normal to it (their t∥),
- * and the signs so that exp(B) rotates by `angle` and translates by `along`. Their twist τ(ψ, P, a) of definition 4 is
- * the case without `across`. axis has length 1. */
+ * and the signs so that exp(B) rotates by `angle` and translates by `along`. Their twist τ(ψ, P, a) of definition 4
+ * is the case without `across`. axis has length 1. */
 typedef struct mw_twist_f32 { float axis[3], angle, along[3], across[3]; } mw_twist_f32;
 typedef struct mw_twist_f64 { double axis[3], angle, along[3], across[3]; } mw_twist_f64;
 
 /* The parts of a generator b12 b13 b23 b1i b2i b3i; of one without rotation angle 0, axis z, and all of it in `along`
- * and `across` of that axis. Computed in double, rounded once. MW_ERROR_NULL; MW_ERROR_AXIS if a number is not finite. */
+ * and `across` of that axis. Computed in double, rounded once. MW_ERROR_NULL; MW_ERROR_AXIS if a number is not
+ * finite. */
 mw_status mw_split_bivector_f32(mw_twist_f32 *out, const float bivector[6]);
 mw_status mw_split_bivector_f64(mw_twist_f64 *out, const double bivector[6]);
 

@@ -67,7 +67,8 @@ template <class T, class Motor, class Twist> mw_status twist_pose(Motor *out, co
     const vector3 axis = vector_of(twist->axis), along = vector_of(twist->along), across = vector_of(twist->across);
     const vector3 ideal = lambda / 2.0 * (c * along + sinc(half) * across);
     const double w = lambda / 2.0 * s * dot(axis, along);
-    *out = {static_cast<T>(c),       static_cast<T>(s * axis.z), static_cast<T>(-s * axis.y), static_cast<T>(s * axis.x),
+    *out = {static_cast<T>(c),       static_cast<T>(s * axis.z), static_cast<T>(-s * axis.y), static_cast<T>(s *
+    *axis.x),
             static_cast<T>(ideal.x), static_cast<T>(ideal.y),    static_cast<T>(ideal.z),     static_cast<T>(w)};
     return MW_OK;
 }

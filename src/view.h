@@ -81,8 +81,8 @@ static_assert(sizeof(mw_motor_f32) == 8 * sizeof(float) && sizeof(mw_motor_f64) 
 
 template <class T> std::uintptr_t address(const T *pointer) { return reinterpret_cast<std::uintptr_t>(pointer); }
 
-// Items of a_size bytes at a + i stride and of b_size bytes at b + j stride, for i, j < count: is a byte common to two?
-// Every call of the library asks this several times, so the two usual answers cost no division.
+// Items of a_size bytes at a + i stride and of b_size bytes at b + j stride, for i, j < count: is a byte common to
+// two? Every call of the library asks this several times, so the two usual answers cost no division.
 inline bool share_bytes(std::uintptr_t a, std::size_t a_size, std::uintptr_t b, std::size_t b_size, std::size_t stride,
                         std::size_t count)
 {

@@ -43,8 +43,8 @@ template <class K> constexpr bool shares_tails = !(K::inputs::are_small && K::ou
 
 template <class K, class T, class E, template <class> class Motors> void run_rest(const call<T, E> &c, std::size_t i);
 
-// Elements from number `i` on, from motors of any source and streams of one layout. `before_line` elements come before the
-// results begin a cache line.
+// Elements from number `i` on, from motors of any source and streams of one layout. `before_line` elements come
+// before the results begin a cache line.
 template <class K, class T, class E, template <class> class Motors, template <class, int> class Stream,
           store_mode Mode = store_mode::cached>
 MOTORWAY_LOOP void run_elements(const call<T, E> &c, [[maybe_unused]] int before_line = 0, std::size_t i = 0)

@@ -159,8 +159,8 @@ inline xsimd::batch<T, A> if_less(const xsimd::batch<T, A> &a, const xsimd::batc
 }
 #endif
 
-// The nearest integer, of two the even one. Adding and taking off 1.5 · 2^23 (2^52 in double) rounds to integers; what
-// is too large for that is one.
+// The nearest integer, of two the even one. Adding and taking off 1.5 · 2^23 (2^52 in double) rounds to integers;
+// what is too large for that is one.
 template <class V> inline V nearest_by_adding(const V &a)
 {
     using T = scalar_of<V>;
