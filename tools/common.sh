@@ -32,6 +32,7 @@ need()
     "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
+# All tools build in one folder, so that the library is compiled once; each switches its own part on.
 # build FOLDER TARGET CMAKE-OPTION... - configure and build in build/FOLDER, quietly unless it fails.
 build()
 {
