@@ -102,8 +102,8 @@ template <class T>
 mw_status euler_to_motor(const view<T, 8> &out, const view<const T, 3> &angles, const view<const T, 3> &translations,
                          std::size_t count, mw_euler_order order)
 {
-    if (kernels() && !is_order(order))
-        return MW_ERROR_EULER_ORDER;
+    if (!is_order(order))
+        return kernels() ? MW_ERROR_EULER_ORDER : MW_ERROR_ISA;
     const euler_axes axes = axes_of_order[order];
     euler_frame<T> frame;
     frame.axis(0, axes.first) = frame.axis(1, axes.second) = frame.axis(2, axes.third) = 1;
@@ -117,8 +117,8 @@ template <class T>
 mw_status motor_to_euler(const view<T, 3> &angles, const view<T, 3> &translations, const view<const T, 8> &motors,
                          std::size_t count, mw_euler_order order)
 {
-    if (kernels() && !is_order(order))
-        return MW_ERROR_EULER_ORDER;
+    if (!is_order(order))
+        return kernels() ? MW_ERROR_EULER_ORDER : MW_ERROR_ISA;
     const euler_axes axes = axes_of_order[order];
     const T hand = axes.is_cyclic() ? 1 : -1;
     euler_frame<T> frame;

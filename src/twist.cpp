@@ -67,9 +67,10 @@ template <class T, class Motor, class Twist> mw_status twist_pose(Motor *out, co
     const vector3 axis = vector_of(twist->axis), along = vector_of(twist->along), across = vector_of(twist->across);
     const vector3 ideal = lambda / 2.0 * (c * along + sinc(half) * across);
     const double w = lambda / 2.0 * s * dot(axis, along);
-    *out = {static_cast<T>(c),       static_cast<T>(s * axis.z), static_cast<T>(-s * axis.y), static_cast<T>(s *
-    *axis.x),
-            static_cast<T>(ideal.x), static_cast<T>(ideal.y),    static_cast<T>(ideal.z),     static_cast<T>(w)};
+    const double numbers[8] = {c, s * axis.z, -s * axis.y, s * axis.x, ideal.x, ideal.y, ideal.z, w};
+    T *const component = reinterpret_cast<T *>(out);
+    for (int k = 0; k < 8; ++k)
+        component[k] = static_cast<T>(numbers[k]);
     return MW_OK;
 }
 

@@ -318,7 +318,7 @@ template <class T> constexpr bool has_rows = rows<std::remove_const_t<T>> > 0;
 template <class T, int N>
 using interleaved_stream = std::conditional_t<has_rows<T>, interleaved_rows<T, N>, scattered_stream<T, N>>;
 // Whole rows of four are transposed at less cost than by permutes, except where every permute is one instruction.
-template <int N> constexpr bool has_permutes = N == 3 || N == 4 || N == 8;
+template <int N> constexpr bool has_permutes = N == 3 || N == 4 || N == 8 || (N == 6 && permutes_are_cheap);
 template <class T, int N>
 using packed_stream =
     std::conditional_t<N == 1, soa_stream<T, N>,

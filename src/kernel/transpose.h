@@ -102,6 +102,30 @@ template <int N, class V, int W, int Step = 1> inline void pack_power_of_two(V *
     }
 }
 
+// Six components: the even and the odd ones, which are triples each.
+template <class V, void (*convert)(V *)> inline void convert_even_and_odd_triples(V *r)
+{
+    for (int odd = 0; odd < 2; ++odd) {
+        V triples[3] = {r[odd], r[odd + 2], r[odd + 4]};
+        convert(triples);
+        r[odd] = triples[0], r[odd + 2] = triples[1], r[odd + 4] = triples[2];
+    }
+}
+
+template <class V, int W> inline void unpack6(V *r)
+{
+    for (int k = 0; k < 6; k += 2)
+        split_even_odd(r[k], r[k + 1], lanes_of<W>{});
+    convert_even_and_odd_triples<V, unpack3<V, W, W>>(r);
+}
+
+template <class V, int W> inline void pack6(V *r)
+{
+    convert_even_and_odd_triples<V, pack3<V, W, W>>(r);
+    for (int k = 0; k < 6; k += 2)
+        merge_even_odd(r[k], r[k + 1], lanes_of<W>{});
+}
+
 // Four registers of rows: in every group of four lanes, a square of four by four is transposed.
 template <class V, int... J> inline void transpose_groups(V *r, std::integer_sequence<int, J...>)
 {
@@ -118,12 +142,14 @@ template <class V, int... J> inline void transpose_groups(V *r, std::integer_seq
     r[3] = shuffle<(J / 4 * 4 + 2 + J % 2 + J % 4 / 2 * W)...>(c, d);
 }
 
-// N registers of packed elements into one register a component, and back. Powers of two take whole registers as
-// their groups.
+// N registers of packed elements into one register a component, and back. Six and powers of two take whole registers
+// as their groups.
 template <int N, class V, int W, int G> inline void unpack(V *r)
 {
     if constexpr (N == 3)
         unpack3<V, W, G>(r);
+    else if constexpr (N == 6)
+        unpack6<V, W>(r);
     else
         unpack_power_of_two<N, V, W>(r);
 }
@@ -132,6 +158,8 @@ template <int N, class V, int W, int G> inline void pack(V *r)
 {
     if constexpr (N == 3)
         pack3<V, W, G>(r);
+    else if constexpr (N == 6)
+        pack6<V, W>(r);
     else
         pack_power_of_two<N, V, W>(r);
 }
