@@ -306,10 +306,10 @@ static inline mw_indices mw_indices_from(mw_indices indices, size_t begin)
  * multiplied from the left (p' = p M, as DirectX has it) keep the transpose: their 4 x 4 matrices by rows are ours by
  * columns, their 4 x 3 ones ours of 3 x 4 by columns. docs/conventions.md has a table. */
 typedef enum mw_matrix_layout {
-    MW_MATRIX_ROWS_3X4,    /* 12 numbers: r00 r01 r02 tx  r10 ... */
-    MW_MATRIX_ROWS_4X4,    /* 16 numbers: r00 r01 r02 tx  r10 ...  0 0 0 1 */
-    MW_MATRIX_COLUMNS_3X4, /* 12 numbers: r00 r10 r20  r01 ...  tx ty tz */
-    MW_MATRIX_COLUMNS_4X4  /* 16 numbers: r00 r10 r20 0  r01 ...  tx ty tz 1 */
+    MW_MATRIX_ROWS_3X4 = 1, /* 12 numbers: r00 r01 r02 tx  r10 ... */
+    MW_MATRIX_ROWS_4X4,     /* 16 numbers: r00 r01 r02 tx  r10 ...  0 0 0 1 */
+    MW_MATRIX_COLUMNS_3X4,  /* 12 numbers: r00 r10 r20  r01 ...  tx ty tz */
+    MW_MATRIX_COLUMNS_4X4   /* 16 numbers: r00 r10 r20 0  r01 ...  tx ty tz 1 */
 } mw_matrix_layout;
 typedef struct mw_matrices_f32 { float *first; size_t stride; mw_matrix_layout layout; } mw_matrices_f32;
 typedef struct mw_matrices_f64 { double *first; size_t stride; mw_matrix_layout layout; } mw_matrices_f64;

@@ -105,7 +105,11 @@ inline std::size_t numbers_of(mw_matrix_layout layout)
 
 constexpr mw_matrix_layout all_matrix_layouts[] = {MW_MATRIX_ROWS_3X4, MW_MATRIX_ROWS_4X4, MW_MATRIX_COLUMNS_3X4,
                                                    MW_MATRIX_COLUMNS_4X4};
-constexpr const char *names_of_layouts[] = {"rows 3x4", "rows 4x4", "columns 3x4", "columns 4x4"};
+inline const char *name_of(mw_matrix_layout layout)
+{
+    static const char *const names[] = {"rows 3x4", "rows 4x4", "columns 3x4", "columns 4x4"};
+    return names[layout - MW_MATRIX_ROWS_3X4];
+}
 
 // In the order of mw_euler_order.
 constexpr const char *names_of_orders[] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx",

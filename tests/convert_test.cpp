@@ -87,7 +87,7 @@ Representation<T> matrices(mw_matrix_layout layout, unsigned flags = MW_DEFAULT)
         identity[place_in_matrix(layout, k, k)] = 1;
     if (size == 16)
         identity[15] = 1;
-    return {names_of_layouts[layout], size,
+    return {name_of(layout), size,
             [layout](const View<T> &out, const View<T> &in, std::size_t count) {
                 return C::motor_to_matrix({out.component[0], out.stride, layout}, in.const_motors(), count);
             },
@@ -955,7 +955,7 @@ TYPED_TEST(ConvertTest, rotations_are_within_a_tolerance)
     for (mw_matrix_layout layout : all_matrix_layouts) {
         const Numbers<T> in = matrices<T>(layout).of(motors);
         const Check<T> found = check(in, layout, static_cast<T>(16 * epsilon<T>));
-        EXPECT_EQ(found.status, MW_OK) << names_of_layouts[layout];
+        EXPECT_EQ(found.status, MW_OK) << name_of(layout);
         EXPECT_LE(found.deviation, 16 * epsilon<T>);
         EXPECT_EQ(found.first_bad, 77u) << "written though none is bad";
         // The translation is none of its concern, nor is the last row.
@@ -963,7 +963,7 @@ TYPED_TEST(ConvertTest, rotations_are_within_a_tolerance)
         identity[place_in_matrix(layout, 1, 3)] = 1000;
         if (identity.size() == 16)
             identity[place_in_matrix(layout, 3, 1)] = std::numeric_limits<T>::quiet_NaN();
-        EXPECT_EQ(check(identity, layout, T(0)).status, MW_OK) << names_of_layouts[layout];
+        EXPECT_EQ(check(identity, layout, T(0)).status, MW_OK) << name_of(layout);
         EXPECT_EQ(check(identity, layout, T(0)).deviation, T(0));
     }
 }
