@@ -67,6 +67,7 @@ from formulas import (
     normalize_reciprocal,
     point_commutator,
     point_sandwich,
+    reverse_over,
     shifted_form,
     shifted_matrix,
     tangent_form,
@@ -74,7 +75,6 @@ from formulas import (
 )
 from motor_group import (
     exp_bivector,
-    inverse,
     log_principal,
     log_shortest,
     nlerp,
@@ -386,7 +386,7 @@ KERNELS: Tuple[Kernel, ...] = (
         (Input("motor", MOTOR),),
         (MOTOR,),
         (EACH,),
-        (("inverse", inverse),),
+        (("inverse", reverse_over),),
     ),
     Kernel(
         "exp",

@@ -185,7 +185,3 @@ def ratio(first, second, let):
     """first^-1 second."""
     return let("i", reverse_over(first, let)) * second
 
-
-def inverse(S, let):
-    """S̄ / (S̄S), of any motor with α > 0 (lemma 3.4)."""
-    return reverse_over(S, let)

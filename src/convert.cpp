@@ -7,12 +7,6 @@
 namespace motorway {
 namespace {
 
-template <class T, class... Outputs, class... Inputs>
-mw_status convert(kernel_id id, std::size_t count, const outputs<Outputs...> &out, const Inputs &...in)
-{
-    return run_streams(id, static_cast<const T *>(nullptr), out, count, in...);
-}
-
 // ------------------------------------------------------------------------------------------------------ quaternions
 
 template <class T, class Quaternions> view<T, 4> view_of_xyzw(const Quaternions &q)
@@ -44,9 +38,9 @@ mw_status motor_to_pose(const view<T, 4> &quaternions, const view<T, 3> &transla
                         std::size_t count)
 {
     if (is_wxyz(quaternions.component[3], quaternions.component[0]))
-        return convert<T>(kernel_id::convert_motor_to_pose_wxyz_each, count,
-                          to(with_w_first(quaternions), translations), motors);
-    return convert<T>(kernel_id::convert_motor_to_pose_each, count, to(quaternions, translations), motors);
+        return run_streams(kernel_id::convert_motor_to_pose_wxyz_each, to(with_w_first(quaternions), translations),
+                           count, motors);
+    return run_streams(kernel_id::convert_motor_to_pose_each, to(quaternions, translations), count, motors);
 }
 
 template <class T>
@@ -54,25 +48,25 @@ mw_status pose_to_motor(const view<T, 8> &out, const view<const T, 4> &quaternio
                         const view<const T, 3> &translations, std::size_t count)
 {
     if (is_wxyz(quaternions.component[3], quaternions.component[0]))
-        return convert<T>(kernel_id::convert_pose_wxyz_to_motor_each, count, to(out), with_w_first(quaternions),
-                          translations);
-    return convert<T>(kernel_id::convert_pose_to_motor_each, count, to(out), quaternions, translations);
+        return run_streams(kernel_id::convert_pose_wxyz_to_motor_each, to(out), count, with_w_first(quaternions),
+                           translations);
+    return run_streams(kernel_id::convert_pose_to_motor_each, to(out), count, quaternions, translations);
 }
 
 template <class T>
 mw_status motor_to_dual_quaternion(const view<T, 8> &out, const view<const T, 8> &motors, std::size_t count)
 {
     if (is_wxyz(out.component[3], out.component[0]))
-        return convert<T>(kernel_id::convert_motor_to_dual_quaternion_wxyz_each, count, to(with_w_first(out)), motors);
-    return convert<T>(kernel_id::convert_motor_to_dual_quaternion_each, count, to(out), motors);
+        return run_streams(kernel_id::convert_motor_to_dual_quaternion_wxyz_each, to(with_w_first(out)), count, motors);
+    return run_streams(kernel_id::convert_motor_to_dual_quaternion_each, to(out), count, motors);
 }
 
 template <class T>
 mw_status dual_quaternion_to_motor(const view<T, 8> &out, const view<const T, 8> &in, std::size_t count)
 {
     if (is_wxyz(in.component[3], in.component[0]))
-        return convert<T>(kernel_id::convert_dual_quaternion_wxyz_to_motor_each, count, to(out), with_w_first(in));
-    return convert<T>(kernel_id::convert_dual_quaternion_to_motor_each, count, to(out), in);
+        return run_streams(kernel_id::convert_dual_quaternion_wxyz_to_motor_each, to(out), count, with_w_first(in));
+    return run_streams(kernel_id::convert_dual_quaternion_to_motor_each, to(out), count, in);
 }
 
 // ----------------------------------------------------------------------------------------------------- Euler angles
@@ -178,15 +172,15 @@ using namespace motorway;
     mw_status mw_convert_motor_to_axis_angle_each_##P(mw_xyzw_##P rotations, mw_xyz_##P translations,                 \
                                                       mw_const_motors_##P motors, size_t count)                       \
     {                                                                                                                 \
-        return convert<T>(kernel_id::convert_motor_to_axis_angle_each, count,                                         \
-                          to(view_of_xyzw<T>(rotations), view_of_xyz<T>(translations)),                               \
-                          view_of_motors<const T>(motors));                                                           \
+        return run_streams(kernel_id::convert_motor_to_axis_angle_each,                                               \
+                           to(view_of_xyzw<T>(rotations), view_of_xyz<T>(translations)), count,                       \
+                           view_of_motors<const T>(motors));                                                          \
     }                                                                                                                 \
     mw_status mw_convert_axis_angle_to_motor_each_##P(mw_motors_##P out, mw_const_xyzw_##P rotations,                 \
                                                       mw_const_xyz_##P translations, size_t count)                    \
     {                                                                                                                 \
-        return convert<T>(kernel_id::convert_axis_angle_to_motor_each, count, to(view_of_motors<T>(out)),             \
-                          view_of_xyzw<const T>(rotations), view_of_xyz<const T>(translations));                      \
+        return run_streams(kernel_id::convert_axis_angle_to_motor_each, to(view_of_motors<T>(out)), count,            \
+                           view_of_xyzw<const T>(rotations), view_of_xyz<const T>(translations));                     \
     }                                                                                                                 \
     mw_status mw_convert_motor_to_euler_each_##P(mw_xyz_##P angles, mw_xyz_##P translations,                          \
                                                  mw_const_motors_##P motors, size_t count, mw_euler_order order)      \
@@ -202,24 +196,24 @@ using namespace motorway;
     }                                                                                                                 \
     mw_status mw_convert_translation_to_motor_each_##P(mw_motors_##P out, mw_const_xyz_##P translations, size_t count)\
     {                                                                                                                 \
-        return convert<T>(kernel_id::convert_translation_to_motor_each, count, to(view_of_motors<T>(out)),            \
-                          view_of_xyz<const T>(translations));                                                        \
+        return run_streams(kernel_id::convert_translation_to_motor_each, to(view_of_motors<T>(out)), count,           \
+                           view_of_xyz<const T>(translations));                                                       \
     }                                                                                                                 \
     mw_status mw_convert_motor_to_translation_each_##P(mw_xyz_##P translations, mw_const_motors_##P motors,           \
                                                        size_t count)                                                  \
     {                                                                                                                 \
-        return convert<T>(kernel_id::convert_motor_to_translation_each, count, to(view_of_xyz<T>(translations)),      \
-                          view_of_motors<const T>(motors));                                                           \
+        return run_streams(kernel_id::convert_motor_to_translation_each, to(view_of_xyz<T>(translations)), count,     \
+                           view_of_motors<const T>(motors));                                                          \
     }                                                                                                                 \
     mw_status mw_convert_motor_to_screw_each_##P(mw_screws_##P out, mw_const_motors_##P motors, size_t count)         \
     {                                                                                                                 \
-        return convert<T>(kernel_id::convert_motor_to_screw_each, count, to(view_of_screws<T>(out)),                  \
-                          view_of_motors<const T>(motors));                                                           \
+        return run_streams(kernel_id::convert_motor_to_screw_each, to(view_of_screws<T>(out)), count,                 \
+                           view_of_motors<const T>(motors));                                                          \
     }                                                                                                                 \
     mw_status mw_convert_screw_to_motor_each_##P(mw_motors_##P out, mw_const_screws_##P screws, size_t count)         \
     {                                                                                                                 \
-        return convert<T>(kernel_id::convert_screw_to_motor_each, count, to(view_of_motors<T>(out)),                  \
-                          view_of_screws<const T>(screws));                                                           \
+        return run_streams(kernel_id::convert_screw_to_motor_each, to(view_of_motors<T>(out)), count,                 \
+                           view_of_screws<const T>(screws));                                                          \
     }                                                                                                                 \
     mw_status mw_convert_motor_to_rotor_each_##P(mw_motors_##P rotors, mw_const_motors_##P motors, size_t count,      \
                                                  T lambda)                                                            \

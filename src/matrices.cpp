@@ -50,12 +50,6 @@ template <class T> mw_status check_layout(const matrices<T> &m, std::size_t coun
     return m.stride < m.numbers() * sizeof(T) ? MW_ERROR_STRIDE : MW_OK;
 }
 
-template <class T, int N, int M>
-mw_status convert(kernel_id id, const view<T, N> &out, const view<const T, M> &in, std::size_t count)
-{
-    return run_streams(id, static_cast<const T *>(nullptr), to(out), count, in);
-}
-
 template <class T>
 mw_status motor_to_matrix(const matrices<T> &out, const view<const T, 8> &motors, std::size_t count)
 {
@@ -64,12 +58,15 @@ mw_status motor_to_matrix(const matrices<T> &out, const view<const T, 8> &motors
         return kernels() ? status : MW_ERROR_ISA;
     switch (out.layout) {
     case MW_MATRIX_ROWS_3X4:
-        return convert(kernel_id::convert_motor_to_rows_3x4_each, out.template adjacent<12>(), motors, count);
+        return run_streams(kernel_id::convert_motor_to_rows_3x4_each, to(out.template adjacent<12>()), count, motors);
     case MW_MATRIX_ROWS_4X4:
-        return convert(kernel_id::convert_motor_to_rows_4x4_each, out.template adjacent<16>(), motors, count);
+        return run_streams(kernel_id::convert_motor_to_rows_4x4_each, to(out.template adjacent<16>()), count, motors);
     case MW_MATRIX_COLUMNS_3X4:
-        return convert(kernel_id::convert_motor_to_columns_3x4_each, out.template adjacent<12>(), motors, count);
-    default: return convert(kernel_id::convert_motor_to_columns_4x4_each, out.template adjacent<16>(), motors, count);
+        return run_streams(kernel_id::convert_motor_to_columns_3x4_each, to(out.template adjacent<12>()), count,
+                           motors);
+    default:
+        return run_streams(kernel_id::convert_motor_to_columns_4x4_each, to(out.template adjacent<16>()), count,
+                           motors);
     }
 }
 
@@ -100,7 +97,7 @@ mw_status matrix_to_motor(kernel_id id, const view<T, 8> &out, const matrices<co
 {
     const view<const T, N> numbers = in.template adjacent<N>();
     if (flags == MW_DEFAULT)
-        return convert(id, out, numbers, count);
+        return run_streams(id, to(out), count, numbers);
     const mw_status status = count == 0 ? MW_OK : check_streams(to(out), count, numbers);
     if (status == MW_OK)
         nearest_motors(out, in, count);
@@ -128,7 +125,7 @@ mw_status matrix_to_motor(const view<T, 8> &out, const matrices<const T> &in, st
 
 // -------------------------------------------------------------------------------------------------------- deviation
 
-// How far R of a matrix is from a rotation: the largest element of |RᵀR - 1|, infinite if there is none to compare with.
+// How far R of a matrix is from a rotation: the largest element of |RᵀR - 1|, infinite if it reflects or is not finite.
 template <class T> double deviation_of(const matrices<const T> &m, std::size_t i)
 {
     double column[3][3], largest = 0;

@@ -28,7 +28,7 @@ mw_status motors_each(const kernel_choice &kernel, std::size_t count, const view
 {
     if (kernels() && !kernel.flags_known)
         return MW_ERROR_FLAGS;
-    return run_streams(kernel.id, static_cast<const T *>(nullptr), to(out), count, in...);
+    return run_streams(kernel.id, to(out), count, in...);
 }
 
 // With one or two motors that all elements share. They are copied: a kernel takes them side by side.

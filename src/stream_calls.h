@@ -148,4 +148,11 @@ mw_status run_streams(kernel_id id, const T *fixed, const outputs<Outputs...> &o
     return MW_OK;
 }
 
+// The same of a kernel whose elements share nothing.
+template <class T, int... N, class... Inputs>
+mw_status run_streams(kernel_id id, const outputs<view<T, N>...> &out, std::size_t count, const Inputs &...in)
+{
+    return run_streams(id, static_cast<const T *>(nullptr), out, count, in...);
+}
+
 } // namespace motorway
