@@ -15,17 +15,18 @@ namespace {
 
 bool runs_scalar() { return true; }
 
+// Those of instruction sets that are not compiled in (MOTORWAY_INSTRUCTION_SETS) are not used.
 #if defined(__x86_64__) || defined(__i386__)
-bool runs_sse2() { return __builtin_cpu_supports("sse2"); }
-bool runs_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
-bool runs_avx512()
+[[maybe_unused]] bool runs_sse2() { return __builtin_cpu_supports("sse2"); }
+[[maybe_unused]] bool runs_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
+[[maybe_unused]] bool runs_avx512()
 {
     return runs_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
            __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
            __builtin_cpu_supports("avx512vl");
 }
 #elif defined(__aarch64__)
-bool runs_neon64() { return true; } // part of the architecture
+[[maybe_unused]] bool runs_neon64() { return true; } // part of the architecture
 #endif
 
 struct implementation {
