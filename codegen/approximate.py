@@ -3,13 +3,16 @@
     polynomial("sinc", "f32")     the coefficients, from the constant upwards, each exact in the precision
     error_bound("sinc", "f32")    a proven bound of |polynomial - function| on the interval of the table
 
-Kernels have no mathematical library under them: exp, log and slerp of motors are made of five functions,
+Kernels have no mathematical library under them: exp, log and slerp of motors are made of five functions, and the
+velocity of exp of two more,
 
     cosine        C(x) = cos √x                   entire, though √x is not
     sinc          S(x) = sin √x / √x              entire
     sinc_slope    D(x) = (C - S) / x = 2 S'(x)    entire; so C = S + x D needs no polynomial of its own
     arc           f(z) = acos(s) / √(1 - s²)      analytic in z = 1 - s as far as z = 2, where s = -1
     arc_slope     df/ds = (s f - 1) / (1 - s²)    likewise
+    adjoint       Q(x) = (1 - S C) / 4x           entire
+    adjoint_slope Q'(x)                           entire
 
 none of them above π/2 in magnitude on its interval, so that absolute errors below half an epsilon are what is wanted.
 A constant term is the function's own value at 0, rounded: exp of a pure translation, and the log of one, are exact
@@ -48,6 +51,10 @@ def _arc_coefficient(k: int) -> Fraction:
     return Fraction(2**k * factorial(k) ** 2, factorial(2 * k + 1))
 
 
+def _adjoint_coefficient(k: int) -> Fraction:
+    return Fraction((-4) ** k, factorial(2 * k + 3))
+
+
 FUNCTIONS: Dict[str, Function] = {
     function.name: function
     for function in (
@@ -76,6 +83,18 @@ FUNCTIONS: Dict[str, Function] = {
             lambda k: -(k + 1) * _arc_coefficient(k + 1),
             lambda k: Fraction((k + 2) ** 2, (k + 1) * (2 * k + 5)),
         ),
+        Function(
+            "adjoint",
+            "(1 - sin(2√x) / 2√x) / 4x",
+            _adjoint_coefficient,
+            lambda k: Fraction(4, (2 * k + 4) * (2 * k + 5)),
+        ),
+        Function(
+            "adjoint_slope",
+            "the derivative of (1 - sin(2√x) / 2√x) / 4x",
+            lambda k: (k + 1) * _adjoint_coefficient(k + 1),
+            lambda k: Fraction(4 * (k + 2), (k + 1) * (2 * k + 6) * (2 * k + 7)),
+        ),
     )
 }
 
@@ -99,7 +118,7 @@ class Approximation:
 
 # A degree is the smallest whose best error is below a third of u, half an epsilon: tested.
 # Angles are reduced to [-π, π], so x <= π² = 9.87: the rest is room for a reduction that is itself rounded.
-# On the shortest path 0 <= s <= 1; where rounding makes s exceed 1 a little the polynomials run on smoothly.
+# Beyond x = 1 the adjoint functions are taken from S and C. On the shortest path 0 <= s <= 1; where rounding makes s exceed 1 a little the polynomials run on smoothly.
 HALF_CIRCLE = Fraction(21, 2)
 
 TABLE: Dict[str, Approximation] = {
@@ -110,6 +129,8 @@ TABLE: Dict[str, Approximation] = {
         ("sinc_slope", HALF_CIRCLE, 1, 5, 10),
         ("arc", Fraction(1), 0, 9, 21),
         ("arc_slope", Fraction(1), 0, 10, 22),
+        ("adjoint", Fraction(1), 0, 4, 7),
+        ("adjoint_slope", Fraction(1), 0, 3, 7),
     )
 }
 

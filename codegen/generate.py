@@ -250,7 +250,8 @@ def approximation_values() -> Dict[str, object]:
 
 
 def used_functions() -> Set[str]:
-    return {op for kernel in KERNELS for v in variants_of(kernel) for op in v.choice.plan.count("body").by_kind}
+    """Those of the kernels, and those that only the velocities of motions take (src/kernel/motion.h)."""
+    return {"adjoint", "adjoint_slope"} | {op for kernel in KERNELS for v in variants_of(kernel) for op in v.choice.plan.count("body").by_kind}
 
 
 def product_table_values() -> Dict[str, object]:

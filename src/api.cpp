@@ -1,6 +1,6 @@
 // The C API: validate, look up, call, return a status.
 #include "kernel_call.h"
-#include "motion.h"
+#include "motion/description.h"
 #include "motorway.h"
 #include "view.h"
 
@@ -79,34 +79,6 @@ mw_status blend_each(const view<T, 8> &out, const Motors *controls, const blend_
     if (status == MW_OK)
         run_blend<T>(*kernels(), kernel_id::blend_motor_each, out, in, nullptr, terms, count);
     return status;
-}
-
-// ----------------------------------------------------------------------------------------------------- motions
-
-template <class T, class Motion> bspline<T> bspline_of(const Motion &motion)
-{
-    return {numbers_of<T>(motion.controls), motion.control_count, motion.knots, motion.knot_count, motion.degree};
-}
-
-template <class T, class Motion> mw_status check_motion(const Motion *motion, std::size_t *where)
-{
-    return motion ? check_bspline(bspline_of<T>(*motion), where) : MW_ERROR_NULL;
-}
-
-template <class T, class Motion>
-mw_status sample(const view<T, 8> &out, const Motion *motion, const T *parameters, std::size_t count)
-{
-    const mw_status called =
-        first_error(check_call(), [&] { return count ? check_motion<T>(motion, nullptr) : MW_OK; });
-    if (called != MW_OK || count == 0)
-        return called;
-    const bspline<T> spline = bspline_of<T>(*motion);
-    const mw_status status = first_error(
-        check_view(out, count), [&] { return check_array(parameters, count); },
-        [&] { return check_overlap(out, parameters, count, count); },
-        [&] { return check_overlap(out, spline.controls, 8 * spline.control_count, count); },
-        [&] { return check_overlap(out, spline.knots, spline.knot_count, count); });
-    return status != MW_OK ? status : sample_bspline(*kernels(), out, spline, parameters, count);
 }
 
 // ------------------------------------------------------------------------------------------------ single motors
@@ -191,12 +163,28 @@ const char *mw_status_text(mw_status status)
     case MW_ERROR_DEGENERATE_MOTOR:
         return "a motor whose alpha (s^2 + b12^2 + b13^2 + b23^2) is zero, subnormal, infinite or NaN moves nothing";
     case MW_ERROR_AXIS: return "the rotation axis has length zero, or a number is not finite";
+    case MW_ERROR_MOTION_KIND: return "a kind of motion is one of mw_motion_kind, and here one that the function takes";
     case MW_ERROR_DEGREE: return "the degree of a motion is from 1 to 31";
-    case MW_ERROR_CONTROL_COUNT: return "a motion of degree d needs at least d + 1 control motors";
-    case MW_ERROR_KNOT_COUNT: return "a motion needs exactly control_count + degree - 1 knots";
+    case MW_ERROR_CONTROL_COUNT: return "a motion of degree d needs at least d + 1 control poses, and keys at least 2";
+    case MW_ERROR_KNOT_COUNT:
+        return "an open motion has exactly control_count + degree - 1 knots, a closed one control_count + 1, and keys one "
+               "a control";
     case MW_ERROR_KNOTS:
-        return "knots must be finite, must not decrease, may be repeated degree + 1 times at most, and must span a domain";
-    case MW_ERROR_PARAMETER: return "a parameter is outside the domain of the motion, or NaN";
+        return "knots must be finite, must not decrease, may be repeated degree + 1 times at most, and must span a domain; "
+               "times of keys must increase";
+    case MW_ERROR_WEIGHTS: return "weights are positive and finite, and only additive motions have them";
+    case MW_ERROR_VANISHING:
+        return "controls cancel somewhere on the way, so that the motion has no pose there; without MW_KEEP_SIGNS they are "
+               "taken with the signs of the shortest way, and rotations less than a half turn apart cannot cancel";
+    case MW_ERROR_PARAMETER:
+        return "a parameter is outside the domain of the motion, or not finite; MW_CLAMP_PARAMETERS and "
+               "MW_WRAP_PARAMETERS take any finite one";
+    case MW_ERROR_MEMORY:
+        return "the memory passed is too small, or not aligned to 8 bytes; ask for the size that it takes";
+    case MW_ERROR_MOTION: return "this is no compiled motion, or one of the other precision or of another version";
+    case MW_ERROR_MOTION_INDEX: return "the index of a motion is not below the number of motions that were compiled";
+    case MW_ERROR_CONVERGENCE:
+        return "no control poses were found whose motion passes through the keys; add keys where rotations are large";
     case MW_ERROR_PARENT: return "the parent of a joint must come before it, or be negative for a root";
     case MW_ERROR_MATRIX:
         return "a matrix is no rotation and translation: it is not orthonormal within the tolerance, reflects, or is not "
@@ -234,15 +222,6 @@ const char *mw_isas(void) { return isa_names(); }
                                       mw_weights_##P weights, size_t term_count, size_t count)                        \
     {                                                                                                                 \
         return blend_each<T>(view_of_motors<T>(out), controls, {weights.terms, weights.stride}, term_count, count);   \
-    }                                                                                                                 \
-    mw_status mw_check_bspline_##P(const mw_bspline_##P *motion, size_t *where)                                       \
-    {                                                                                                                 \
-        return check_motion<T>(motion, where);                                                                        \
-    }                                                                                                                 \
-    mw_status mw_sample_bspline_##P(mw_motors_##P out, const mw_bspline_##P *motion, const T *parameters,             \
-                                    size_t count)                                                                     \
-    {                                                                                                                 \
-        return sample<T>(view_of_motors<T>(out), motion, parameters, count);                                          \
     }
 
 MOTORWAY_API(f32, float)

@@ -3,7 +3,7 @@
 #include "elements.h"
 #include "grid.h"
 #include "kernel_call.h"
-#include "motion.h"
+#include "motion/sample.h"
 #include "motorway.h"
 
 #include <algorithm>
@@ -262,6 +262,64 @@ mw_status apply_grid(kernel<T, E> one, kernel<T, E> grid_kernel, const grid_batc
     return MW_OK;
 }
 
+// ------------------------------------------------------------------------------------------------------- motions
+
+// Poses that are made at a time: few enough to stay in the first cache beside a chunk of a row.
+constexpr std::size_t pose_chunk = 64;
+
+template <class T, int N, int Parts>
+mw_status check_motion_grid(const motion_samples<T> &samples, const byte_range &motion, const T *parameters,
+                       const elements<T, N, Parts> &out, const elements<const T, N, Parts> &in,
+                       const grid_shape &shape)
+{
+    const byte_range at = range_of(parameters, shape.rows);
+    const auto check_apart = [&](const view<T, N> &part) {
+        const byte_range whole = range_of(part, shape);
+        bool apart = !whole.meets(at) && !whole.meets(motion);
+        for (const view<const T, N> &from : in.part)
+            apart &= is_apart(part, shape, from, shape.count);
+        return apart ? MW_OK : MW_ERROR_OVERLAP;
+    };
+    return first_error(
+        check_grid(out, shape), [&] { return check_array(parameters, shape.rows); },
+        [&] { return check_parts(in, shape.count); }, [&] { return check_each_part(out, check_apart); },
+        [&] { return samples.are_sound() ? MW_OK : MW_ERROR_PARAMETER; });
+}
+
+template <class T, int N, int Parts, class Motion>
+mw_status apply_motion(kernel<T, T> one, kernel<T, T> grid_kernel, const Motion *motion, std::size_t index,
+                       const T *parameters, const elements<T, N, Parts> &out, const elements<const T, N, Parts> &in,
+                       const grid_shape &shape, unsigned flags)
+{
+    const compiled<T> from = compiled_of<T>(motion);
+    const auto samples_at = [&](std::size_t first, std::size_t number) {
+        return motion_samples<T>(from, motions_sampled::one, index, {parameters + first, sizeof(T)}, number, flags);
+    };
+    const mw_status status =
+        check_motion_grid<T>(samples_at(0, shape.rows), from.range(), parameters, out, in, shape);
+    if (status != MW_OK)
+        return status;
+    const bool point_major = shape.is_point_major(out.part[0]);
+    const std::size_t bytes = shape.rows * shape.count * N * Parts * sizeof(T);
+    const bool streaming = !point_major && is_streaming(out, in, bytes, flags);
+    motor_of<T> pose[pose_chunk];
+    const view<T, 8> poses{{&pose->s, &pose->b12, &pose->b13, &pose->b23, &pose->b1i, &pose->b2i, &pose->b3i, &pose->w},
+                           sizeof *pose};
+    for (std::size_t row = 0; row < shape.rows; row += pose_chunk) {
+        const std::size_t some = std::min(pose_chunk, shape.rows - row);
+        samples_at(row, some).sample(poses);
+        const auto part = grid_of(out.moved_by(row * shape.row_stride), poses.as_const(), no_shift(), in,
+                                  {some, shape.row_stride, shape.count});
+        if (point_major)
+            run_columns(grid_kernel, part);
+        else
+            run_rows(one, part, streaming);
+    }
+    if (streaming)
+        kernels()->fence();
+    return MW_OK;
+}
+
 using f32 = float;
 using f64 = double;
 
@@ -328,6 +386,28 @@ using namespace motorway;
 
 MW_OPERANDS(MOTORWAY_APPLY, f32)
 MW_OPERANDS(MOTORWAY_APPLY, f64)
+
+#define MOTORWAY_APPLY_MOTION(operand, views, P)                                                                      \
+    mw_status mw_apply_##operand##_motion_##P(mw_##views##_##P out, size_t row_stride,                                \
+                                              const mw_compiled_motion_##P *motion, size_t index,                     \
+                                              const P *parameters, size_t parameter_count,                            \
+                                              mw_const_##views##_##P in, size_t count, unsigned flags)                \
+    {                                                                                                                 \
+        MOTORWAY_BEGIN_MOTION_CALL(P, parameter_count == 0 || count == 0)                                             \
+        return apply_motion(MOTORWAY_KERNEL_OF(P, apply_##operand##_one), MOTORWAY_KERNEL_OF(P, apply_##operand##_grid),\
+                            motion, index, parameters, elements_of(out), elements_of(in),                             \
+                            {parameter_count, row_stride, count}, flags);                                             \
+    }
+#define MOTORWAY_BEGIN_MOTION_CALL(P, nothing_to_do)                                                                  \
+    const mw_status called = first_error(check_call(flags & ~parameter_flags), [&] {                                  \
+        return check_motion_call<P>(motion, motions_sampled::one, index, (nothing_to_do) ? 0 : 1, flags,              \
+                                    MW_UNIT_MOTORS | streaming_flags);                                                \
+    });                                                                                                               \
+    if (called != MW_OK || (nothing_to_do))                                                                           \
+        return called;
+
+MW_OPERANDS(MOTORWAY_APPLY_MOTION, f32)
+MW_OPERANDS(MOTORWAY_APPLY_MOTION, f64)
 
 // ------------------------------------------------------------------------------------------------- mixed precision
 

@@ -73,12 +73,20 @@ typedef enum mw_status {
     MW_ERROR_INDEX_TYPE,       /* not one of mw_index_type */
     MW_ERROR_DEGENERATE_MOTOR, /* a motor whose α is zero, subnormal, infinite or NaN */
     MW_ERROR_AXIS,             /* a rotation axis of length zero, or a number that is not finite */
+    MW_ERROR_MOTION_KIND,      /* not one of mw_motion_kind, or not one that this function takes */
     MW_ERROR_DEGREE,           /* a degree of 0 or above MW_MAX_DEGREE */
-    MW_ERROR_CONTROL_COUNT,    /* fewer control motors than degree + 1 */
-    MW_ERROR_KNOT_COUNT,       /* not exactly control_count + degree - 1 knots */
+    MW_ERROR_CONTROL_COUNT,    /* fewer control poses than the motion needs */
+    MW_ERROR_KNOT_COUNT,       /* not as many knots as the controls, the degree and whether it is closed ask for */
     MW_ERROR_KNOTS,            /* a knot that decreases, is not finite, or is repeated more than degree + 1 times;
                                   or a domain of length zero */
+    MW_ERROR_WEIGHTS,          /* a weight that is not positive and finite, or so far from 1 that the control times it
+                                  has no inverse; or weights of a motion that takes none */
+    MW_ERROR_VANISHING,        /* controls of opposite sign cancel somewhere on the way */
     MW_ERROR_PARAMETER,        /* a parameter outside the domain of the motion, or NaN */
+    MW_ERROR_MEMORY,           /* memory of the caller's that is too small or not aligned to 8 bytes */
+    MW_ERROR_MOTION,           /* what was passed for a compiled motion is none, or is one of the other precision */
+    MW_ERROR_MOTION_INDEX,     /* a motion beyond the motion_count of the compiled ones */
+    MW_ERROR_CONVERGENCE,      /* no controls were found whose motion passes through the keys */
     MW_ERROR_PARENT,           /* a joint whose parent does not come before it */
     MW_ERROR_MATRIX,           /* a matrix that is no rotation and translation: not orthonormal within the tolerance, a
                                   reflection, or not finite */
@@ -117,7 +125,15 @@ enum {
     /* Interpolation takes the long way round: by the rotation of more than a half turn. */
     MW_LONG_WAY = 8,
     /* A matrix need not be orthonormal: the rotation nearest to it is taken. */
-    MW_NEAREST_ROTATION = 16
+    MW_NEAREST_ROTATION = 16,
+    /* Controls of a motion keep their signs: S and -S are the same pose, but the ways between poses differ. */
+    MW_KEEP_SIGNS = 32,
+    /* What becomes of parameters outside the domain of a motion, which are errors otherwise: the nearer end of it, or
+     * the domain repeated for ever. */
+    MW_CLAMP_PARAMETERS = 64,
+    MW_WRAP_PARAMETERS = 128,
+    /* Twists in the frame of the moving body, not of the space. */
+    MW_BODY_FRAME = 256
 };
 
 /* What a call reads and writes together from which on its results bypass the caches. */
@@ -729,51 +745,257 @@ mw_status mw_blend_motor_each_f64(mw_motors_f64 out, const mw_const_motors_f64 *
 
 /* ------------------------------------------------------------------------------------------------- motions --- */
 
+/* A motion is a pose as a function of a parameter. It is described by control poses and knots, compiled once, and then
+ * sampled as often as one likes, without allocation and by any number of threads at once. docs/motions.md shows all
+ * of them side by side and says which to take. */
+
 enum { MW_MAX_DEGREE = 31 };
 
-/* An additive B-spline motion S(t) = Σ N_i(t) S_i (the paper's section 4), of any degree d from 1 to MW_MAX_DEGREE.
- * The knots t_0 <= t_1 <= ... are those of the paper: control i belongs to the d consecutive knots from t_i, so
- * there are control_count + degree - 1 of them, without the two superfluous ones that some libraries add at the
- * ends. The domain is [t_(d-1), t_(n)] with n = control_count - 1.
+/* How a motion makes a pose of its controls S_0 ... S_n. N_k(t) are the B-spline functions of its degree and knots. */
+typedef enum mw_motion_kind {
+    /* Σ N_k(t) w_k S_k: the paper's section 4 and equation (5). The fastest by far; a point moves on a rational curve of
+     * twice the degree. Of two poses: an ellipse, on the cylinder of the screw between them (lemma 4.1). Samples are not
+     * normalised: mw_apply_* needs no normalised motors, and mw_normalize_motor_each makes them so. */
+    MW_MOTION_ADDITIVE = 1,
+    /* The same blossom recursion with slerp in place of each weighted sum of two. Of degree 1 the piecewise screw of
+     * Wareham and Lasenby, section 3.1: knots are then the times of the poses. */
+    MW_MOTION_MULTIPLICATIVE,
+    /* exp(c_n(t) b_n) ... exp(c_1(t) b_1) S_0 with b_k = log(S_k S_(k-1)^-1) and c_k = N_k + ... + N_n: the relative
+     * motors, each raised to a power that grows from 0 to 1. As smooth as the B-spline functions (Kim, Kim and Shin,
+     * 1995, of rotations). */
+    MW_MOTION_CUMULATIVE,
+    /* base exp(Σ N_k(t) log(base^-1 S_k)): generators are a vector space, in which every curve will do (Wareham and
+     * Lasenby, section 3). Best near the base. */
+    MW_MOTION_GENERATOR,
+    /* The same through the controls themselves: Catmull and Rom's spline of their generators, at any times. Between
+     * three poses it is Wareham and Lasenby's quadratic (section 3.2); between more the quadratics of neighbouring
+     * triples run smoothly into one another. Of two poses it is the screw, if one is the base. */
+    MW_MOTION_GENERATOR_KEYS
+} mw_motion_kind;
+
+/* A motion, described; or many that share everything but their controls, such as a crowd. All arrays are the
+ * caller's, are only read, and are no longer needed once the motion is compiled. What is left zero has a default.
  *
- *     linear        degree 1, 2 controls, knots 0 1                    equation (5)
+ * knots: t_0 <= t_1 <= ... as the paper has them: control k belongs to the d consecutive knots from t_k on, and is
+ * felt most around their mean. There are control_count + degree - 1 of them, without the two superfluous ones that some
+ * libraries add at the ends; the domain is [t_(d-1), t_n]. A knot may be repeated: d times at an end makes the motion
+ * begin at its first control (clamped); r times inside leaves it d - r times differentiable.
+ *     linear        degree 1, 2 controls, knots 0 1                              equation (5)
  *     Bézier        degree d, d + 1 controls, knots 0 (d times) 1 (d times)
  *     figure 5      degree 2, 6 controls, knots 0 0 1 2 3 4 4
+ *     closed        control_count + 1 knots, those of one period, which is the domain; controls and knots repeat
+ *     keys          the times of the controls, which increase; if closed, also that of the return to the first
+ * Without knots (null, 0) these are 0, 1, 2, ..., clamped at both ends unless it is closed: with d + 1 controls, Bézier.
  *
- * All arrays are the caller's and are only read. */
-typedef struct mw_bspline_f32 {
-    const mw_motor_f32 *controls;
-    size_t control_count;
+ * SIGNS: S and -S are the same pose. A motion goes the shortest way: every control is taken with the sign that brings
+ * its rotation nearer to the control before it; the first of an open motion is taken as it is, or of generators with
+ * that nearer to the base. With MW_KEEP_SIGNS all are taken as they are. An additive motion may then vanish on the way,
+ * which is found when it is compiled; the others turn by more than a half turn where two are of opposite sign.
+ * Closed motions of generators come back to the logarithms that they began with. */
+typedef struct mw_motion_f32 {
+    mw_motion_kind kind;
+    unsigned degree;               /* from 1 to MW_MAX_DEGREE; of keys it is not read */
+    const mw_motor_f32 *controls;  /* control_count of them; of many motions one after the other */
+    size_t control_count;          /* of one motion: more than the degree, and at least two */
     const float *knots;
     size_t knot_count;
+    const float *weights;          /* null, or one a control: rational additive motions */
+    int closed;                    /* nonzero: comes back to its start, as smooth there as elsewhere */
+    const mw_motor_f32 *base;      /* of generators: null is the identity */
+    size_t motion_count;           /* how many motions there are; 0 is 1 */
+} mw_motion_f32;
+typedef struct mw_motion_f64 {
+    mw_motion_kind kind;
     unsigned degree;
-} mw_bspline_f32;
-typedef struct mw_bspline_f64 {
     const mw_motor_f64 *controls;
     size_t control_count;
     const double *knots;
     size_t knot_count;
-    unsigned degree;
-} mw_bspline_f64;
+    const double *weights;
+    int closed;
+    const mw_motor_f64 *base;
+    size_t motion_count;
+} mw_motion_f64;
 
-/* All that can be wrong with a motion. *where (unless that pointer is null) is then the index of the control
- * (MW_ERROR_DEGENERATE_MOTOR) or of the knot (MW_ERROR_KNOTS), else 0.
- * MW_ERROR_NULL, MW_ERROR_DEGREE, MW_ERROR_CONTROL_COUNT, MW_ERROR_KNOT_COUNT, MW_ERROR_KNOTS,
- * MW_ERROR_DEGENERATE_MOTOR. Time: linear in controls and knots. */
-mw_status mw_check_bspline_f32(const mw_bspline_f32 *motion, size_t *where);
-mw_status mw_check_bspline_f64(const mw_bspline_f64 *motion, size_t *where);
+/* Compiled motions live in memory of the caller's, aligned to 8 bytes. They hold no pointers: copy them, send them, map
+ * them from a file (of the same version of this library, on a machine of the same byte order). */
+typedef struct mw_compiled_motion_f32 mw_compiled_motion_f32;
+typedef struct mw_compiled_motion_f64 mw_compiled_motion_f64;
 
-/* out[i] = S(parameters[i]), not normalised: made for mw_apply_*, which needs no normalised motors. At a knot
- * inside the domain the motion is taken from the right. Weights come from the blossom recursion (the paper's
- * section 4, errata.md), then the controls are blended; both ends of a Bézier motion are its controls exactly.
- * Parameters are fastest in runs that lie between the same two knots: sorted ones are.
- * The errors of mw_check_bspline, which is part of the call; MW_ERROR_PARAMETER if a parameter is outside the domain
- * or NaN; MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP (with the parameters, the controls or the
- * knots). Time: linear in controls and knots, and count * degree². */
-mw_status mw_sample_bspline_f32(mw_motors_f32 out, const mw_bspline_f32 *motion, const float *parameters,
-                                size_t count);
-mw_status mw_sample_bspline_f64(mw_motors_f64 out, const mw_bspline_f64 *motion, const double *parameters,
-                                size_t count);
+/* *size = how many bytes the compiled motion takes: about 8 numbers a control and (degree + 1)² a knot. This looks at
+ * everything that mw_compile_motion looks at but the controls, and has its errors. */
+mw_status mw_motion_size_f32(size_t *size, const mw_motion_f32 *motion, size_t *where);
+mw_status mw_motion_size_f64(size_t *size, const mw_motion_f64 *motion, size_t *where);
+
+/* Checks a motion and makes *compiled, which is `memory`. Flags: MW_KEEP_SIGNS (not of multiplicative motions, whose
+ * slerp always goes the shortest way). On an error memory is not touched, and *where (unless that pointer is null) is
+ * the index of what is wrong, else 0.
+ * MW_ERROR_NULL, MW_ERROR_FLAGS, MW_ERROR_MOTION_KIND, MW_ERROR_DEGREE, MW_ERROR_CONTROL_COUNT, MW_ERROR_KNOT_COUNT,
+ * MW_ERROR_KNOTS (where: the knot), MW_ERROR_WEIGHTS (where: the control; or the kind is not additive),
+ * MW_ERROR_DEGENERATE_MOTOR (where: the control, counted through all motions; or the base),
+ * MW_ERROR_VANISHING (where: the first of the degree + 1 controls that cancel; only with weights or MW_KEEP_SIGNS, or
+ * where rotations are more than a half turn apart within a span), MW_ERROR_SIZE, MW_ERROR_MEMORY, MW_ERROR_OVERLAP.
+ * Time: linear in controls and knots, times degree²; logarithms of the controls where the kind takes them. */
+mw_status mw_compile_motion_f32(const mw_compiled_motion_f32 **compiled, void *memory, size_t size,
+                                const mw_motion_f32 *motion, unsigned flags, size_t *where);
+mw_status mw_compile_motion_f64(const mw_compiled_motion_f64 **compiled, void *memory, size_t size,
+                                const mw_motion_f64 *motion, unsigned flags, size_t *where);
+
+/* domain[0] and domain[1] = the first and the last parameter. MW_ERROR_NULL, MW_ERROR_MOTION. */
+mw_status mw_motion_domain_f32(float domain[2], const mw_compiled_motion_f32 *motion);
+mw_status mw_motion_domain_f64(double domain[2], const mw_compiled_motion_f64 *motion);
+
+/* Samples. `one`: out[i] is motion number `index` (0, if there is only one) at parameters[i]. `each`: out[i] is motion
+ * number index + i at a parameter of its own, parameter_stride bytes after that before it; stride 0 is one parameter
+ * for all. At a knot inside the domain a motion is taken from the right.
+ * Runs of parameters between the same two knots are fastest: sorted ones are.
+ * Flags: MW_CLAMP_PARAMETERS, MW_WRAP_PARAMETERS.
+ * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP (with the parameters or the motion), MW_ERROR_FLAGS,
+ * MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX; MW_ERROR_PARAMETER if a parameter is outside the domain, unless a flag says
+ * what to do, or is not finite. Nothing is written on an error.
+ * Operations a sample (fused multiply-adds and what costs as much), of degree d: degree² for the weights, and
+ * 8 (d + 1) additive, ½ d (d + 1) slerps multiplicative, d exponentials and products cumulative, one of generators. */
+mw_status mw_sample_motion_one_f32(mw_motors_f32 out, const mw_compiled_motion_f32 *motion, size_t index,
+                                   const float *parameters, size_t count, unsigned flags);
+mw_status mw_sample_motion_one_f64(mw_motors_f64 out, const mw_compiled_motion_f64 *motion, size_t index,
+                                   const double *parameters, size_t count, unsigned flags);
+mw_status mw_sample_motion_each_f32(mw_motors_f32 out, const mw_compiled_motion_f32 *motion, size_t index,
+                                    const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
+mw_status mw_sample_motion_each_f64(mw_motors_f64 out, const mw_compiled_motion_f64 *motion, size_t index,
+                                    const double *parameters, size_t parameter_stride, size_t count, unsigned flags);
+
+/* Samples and velocities. The twist Ω at a parameter is the bivector S^-1 S' of the normalised motion: a moment h
+ * later the pose is S exp(hΩ). It generates motions as logarithms do, so it holds halves: the angular velocity is
+ * 2 (b23, -b13, b12), and the velocity of what is at the origin just then is 2 (b1i, b2i, b3i). With MW_BODY_FRAME it
+ * is S' S^-1, in the coordinates of the body. Both are a unit of the parameter, and exact: the same formulas are
+ * evaluated over numbers that carry their derivatives. At a knot where the motion is not smooth: that of the right.
+ * The flags, errors and parameters of mw_sample_motion_*, and MW_BODY_FRAME. `out` and `twists` share no byte. */
+mw_status mw_sample_motion_twist_one_f32(mw_motors_f32 out, mw_bivectors_f32 twists,
+                                         const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
+                                         size_t count, unsigned flags);
+mw_status mw_sample_motion_twist_one_f64(mw_motors_f64 out, mw_bivectors_f64 twists,
+                                         const mw_compiled_motion_f64 *motion, size_t index, const double *parameters,
+                                         size_t count, unsigned flags);
+mw_status mw_sample_motion_twist_each_f32(mw_motors_f32 out, mw_bivectors_f32 twists,
+                                          const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
+                                          size_t parameter_stride, size_t count, unsigned flags);
+mw_status mw_sample_motion_twist_each_f64(mw_motors_f64 out, mw_bivectors_f64 twists,
+                                          const mw_compiled_motion_f64 *motion, size_t index, const double *parameters,
+                                          size_t parameter_stride, size_t count, unsigned flags);
+
+/* A motion straight onto elements: row m of out is `in` under the motion at parameters[m], as mw_apply_<operand>_grid
+ * does it of motors. The poses are made some at a time and never leave the first cache.
+ * Flags: those of apply and of mw_sample_motion_one. The errors of both. */
+#define MW_DECLARE_APPLY_MOTION(operand, views, P)                                                                    \
+    mw_status mw_apply_##operand##_motion_##P(mw_##views##_##P out, size_t row_stride,                                \
+                                              const mw_compiled_motion_##P *motion, size_t index,                     \
+                                              const MW_SCALAR_##P *parameters, size_t parameter_count,                \
+                                              mw_const_##views##_##P in, size_t count, unsigned flags);
+#define MW_SCALAR_f32 float
+#define MW_SCALAR_f64 double
+MW_OPERANDS(MW_DECLARE_APPLY_MOTION, f32)
+MW_OPERANDS(MW_DECLARE_APPLY_MOTION, f64)
+#undef MW_SCALAR_f32
+#undef MW_SCALAR_f64
+#undef MW_DECLARE_APPLY_MOTION
+
+/* The velocity of the point of the body that is at `place`, under a twist of the space. MW_ERROR_NULL. */
+mw_status mw_twist_velocity_f32(float velocity[3], const float twist[6], const float place[3]);
+mw_status mw_twist_velocity_f64(double velocity[3], const double twist[6], const double place[3]);
+
+/* lengths[i] = the length of the way of a point of the body, from the start of the domain to parameters[i], which must
+ * not decrease. Integrated from the twists, to a few epsilons of the whole length and of the coordinates. `lengths` may
+ * be `parameters`. MW_ERROR_NULL, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX,
+ * MW_ERROR_PARAMETER (also one that decreases). */
+mw_status mw_motion_lengths_f32(float *lengths, const mw_compiled_motion_f32 *motion, size_t index,
+                                const float point[3], const float *parameters, size_t count);
+mw_status mw_motion_lengths_f64(double *lengths, const mw_compiled_motion_f64 *motion, size_t index,
+                                const double point[3], const double *parameters, size_t count);
+
+/* parameters[i] = where a point of the body has gone the part i / (count - 1) of its whole way: samples there are
+ * equally far apart along it. The first and the last are the ends of the domain; one alone is its start. If the point
+ * never moves, by more than rounding, or is not finite, the parameters are equally far apart instead.
+ * MW_ERROR_NULL, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX. */
+mw_status mw_motion_even_parameters_f32(float *parameters, const mw_compiled_motion_f32 *motion, size_t index,
+                                        const float point[3], size_t count);
+mw_status mw_motion_even_parameters_f64(double *parameters, const mw_compiled_motion_f64 *motion, size_t index,
+                                        const double point[3], size_t count);
+
+/* The largest distance between two motions: of the images of `count` points under both, at sample_count parameters
+ * equally far apart over the domain of each. Both ends are among them. Distances that are NaN are passed over; without
+ * points or samples the distance is 0, at both starts. */
+typedef struct mw_motion_distance_f32 {
+    float distance;
+    float parameters[2]; /* of the first motion and of the second, where it is largest */
+    size_t point;        /* which point it is largest for */
+} mw_motion_distance_f32;
+typedef struct mw_motion_distance_f64 {
+    double distance;
+    double parameters[2];
+    size_t point;
+} mw_motion_distance_f64;
+
+/* MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX. Time: count * sample_count. */
+mw_status mw_compare_motions_f32(mw_motion_distance_f32 *largest, const mw_compiled_motion_f32 *first,
+                                 size_t first_index, const mw_compiled_motion_f32 *second, size_t second_index,
+                                 mw_const_xyz_f32 points, size_t count, size_t sample_count);
+mw_status mw_compare_motions_f64(mw_motion_distance_f64 *largest, const mw_compiled_motion_f64 *first,
+                                 size_t first_index, const mw_compiled_motion_f64 *second, size_t second_index,
+                                 mw_const_xyz_f64 points, size_t count, size_t sample_count);
+
+/* ---------------------------------------------------------------------------------- making and editing motions --- */
+
+/* Where the functions below put controls and knots. They set *out to a motion that reads them. */
+typedef struct mw_motion_arrays_f32 {
+    mw_motor_f32 *controls;
+    size_t control_capacity;
+    float *knots;
+    size_t knot_capacity;
+} mw_motion_arrays_f32;
+typedef struct mw_motion_arrays_f64 {
+    mw_motor_f64 *controls;
+    size_t control_capacity;
+    double *knots;
+    size_t knot_capacity;
+} mw_motion_arrays_f64;
+
+/* Controls of a motion that passes through `count` keys at times that increase: additive or cumulative, of a degree
+ * below the number of keys. As many controls as keys; knots are means of the times of `degree` neighbours (de Boor), so
+ * that the equations have one solution. Additive: they are solved in one go. Cumulative: by Newton's method, in a few
+ * rounds. Keys are taken with the signs of the shortest way. COMPILE THE RESULT WITH MW_KEEP_SIGNS: neighbouring controls
+ * may be more than a half turn apart even where keys are not.
+ * `memory`: *size bytes of working memory, aligned to 8; null to be told by *size how many, which reads nothing but
+ * kind, degree and count. Arrays may be `keys` and `times` themselves.
+ * MW_ERROR_NULL, MW_ERROR_MOTION_KIND, MW_ERROR_DEGREE, MW_ERROR_CONTROL_COUNT, MW_ERROR_KNOTS (where: the time),
+ * MW_ERROR_DEGENERATE_MOTOR (where: the key), MW_ERROR_MEMORY (also arrays that are too small), MW_ERROR_SIZE,
+ * MW_ERROR_OVERLAP, MW_ERROR_CONVERGENCE (no controls, or none less than a full turn apart from their neighbours:
+ * cumulative motions through keys that turn far between each other, at uneven times, need such ones. Add keys).
+ * Time: count * degree², ten times that a round if cumulative. */
+mw_status mw_interpolate_keys_f32(mw_motion_f32 *out, mw_motion_arrays_f32 arrays, mw_motion_kind kind,
+                                  unsigned degree, const mw_motor_f32 *keys, const float *times, size_t count,
+                                  void *memory, size_t *size, size_t *where);
+mw_status mw_interpolate_keys_f64(mw_motion_f64 *out, mw_motion_arrays_f64 arrays, mw_motion_kind kind,
+                                  unsigned degree, const mw_motor_f64 *keys, const double *times, size_t count,
+                                  void *memory, size_t *size, size_t *where);
+
+/* The same additive motion written with more controls: with a knot inserted `times` times, of one degree more, or in two
+ * parts, before and after a parameter. Weights are multiplied into the controls of the result, which has none.
+ * Of open additive motions with one set of controls: MW_ERROR_MOTION_KIND of others. The errors of mw_motion_size;
+ * MW_ERROR_PARAMETER if the knot is not strictly inside the domain; MW_ERROR_KNOTS if it would be repeated more than
+ * degree + 1 times, or is less than a normal number from another; MW_ERROR_DEGREE beyond MW_MAX_DEGREE;
+ * MW_ERROR_OVERLAP; MW_ERROR_MEMORY if the arrays are too small, such as {0}: *out then says by control_count and
+ * knot_count what it takes.
+ * Signs are kept as they are: compile the result with MW_KEEP_SIGNS. The arrays share no byte with the motion. */
+mw_status mw_insert_knot_f32(mw_motion_f32 *out, mw_motion_arrays_f32 arrays, const mw_motion_f32 *motion, float knot,
+                             unsigned times);
+mw_status mw_insert_knot_f64(mw_motion_f64 *out, mw_motion_arrays_f64 arrays, const mw_motion_f64 *motion, double knot,
+                             unsigned times);
+mw_status mw_elevate_degree_f32(mw_motion_f32 *out, mw_motion_arrays_f32 arrays, const mw_motion_f32 *motion);
+mw_status mw_elevate_degree_f64(mw_motion_f64 *out, mw_motion_arrays_f64 arrays, const mw_motion_f64 *motion);
+mw_status mw_split_motion_f32(mw_motion_f32 *before, mw_motion_arrays_f32 before_arrays, mw_motion_f32 *after,
+                              mw_motion_arrays_f32 after_arrays, const mw_motion_f32 *motion, float at);
+mw_status mw_split_motion_f64(mw_motion_f64 *before, mw_motion_arrays_f64 before_arrays, mw_motion_f64 *after,
+                              mw_motion_arrays_f64 after_arrays, const mw_motion_f64 *motion, double at);
 
 #ifdef __GNUC__
 #pragma GCC visibility pop

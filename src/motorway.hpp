@@ -40,7 +40,10 @@ template <class T> struct types;
         using vertices = mw_vertices_##P;                                                                             \
         using const_vertices = mw_const_vertices_##P;                                                                 \
         using weights = mw_weights_##P;                                                                               \
-        using bspline = mw_bspline_##P;                                                                               \
+        using motion = mw_motion_##P;                                                                                 \
+        using compiled_motion = mw_compiled_motion_##P;                                                               \
+        using motion_arrays = mw_motion_arrays_##P;                                                                   \
+        using motion_distance = mw_motion_distance_##P;                                                               \
     };
 MOTORWAY_TYPES(f32, float)
 MOTORWAY_TYPES(f64, double)
@@ -53,7 +56,10 @@ using f64 = double;
 
 template <class T> using motor = typename detail::types<T>::motor;
 template <class T> using twist = typename detail::types<T>::twist;
-template <class T> using bspline = typename detail::types<T>::bspline;
+template <class T> using motion = typename detail::types<T>::motion;
+template <class T> using compiled_motion = typename detail::types<T>::compiled_motion;
+template <class T> using motion_arrays = typename detail::types<T>::motion_arrays;
+template <class T> using motion_distance = typename detail::types<T>::motion_distance;
 template <class T> using weights = typename detail::types<T>::weights;
 
 // Inputs: a C view of const elements, which a view of mutable ones becomes by itself.
@@ -197,6 +203,15 @@ inline mw_indices indices(const uint32_t *first, size_t stride = 4) { return mw_
     {                                                                                                                 \
         return mw_apply_##operand##_indexed_checked_##P(out, palette, palette_count, indices, in, count, flags,       \
                                                         first_bad);                                                   \
+    }                                                                                                                 \
+    [[nodiscard]] inline status apply_##operand##_motion(mw_##views##_##P out, size_t row_stride,                     \
+                                                         const mw_compiled_motion_##P *motion,                        \
+                                                         const detail::P *parameters, size_t parameter_count,         \
+                                                         const_##views<detail::P> in, size_t count,                   \
+                                                         unsigned flags = MW_DEFAULT, size_t index = 0)               \
+    {                                                                                                                 \
+        return mw_apply_##operand##_motion_##P(out, row_stride, motion, index, parameters, parameter_count, in, count,\
+                                               flags);                                                                \
     }
 MW_OPERANDS(MOTORWAY_APPLY, f32)
 MW_OPERANDS(MOTORWAY_APPLY, f64)
@@ -276,19 +291,97 @@ MW_OPERANDS(MOTORWAY_APPLY, f64)
                                                  weights<T> weights, size_t term_count, size_t count)                 \
     {                                                                                                                 \
         return mw_blend_motor_each_##P(out, controls, weights, term_count, count);                                    \
-    }                                                                                                                 \
-    [[nodiscard]] inline status check_bspline(const bspline<T> &motion, size_t *where = nullptr)                      \
-    {                                                                                                                 \
-        return mw_check_bspline_##P(&motion, where);                                                                  \
-    }                                                                                                                 \
-    [[nodiscard]] inline status sample_bspline(mw_motors_##P out, const bspline<T> &motion, const T *parameters,      \
-                                               size_t count)                                                          \
-    {                                                                                                                 \
-        return mw_sample_bspline_##P(out, &motion, parameters, count);                                                \
     }
 MOTORWAY_OVERLOADS(f32, float)
 MOTORWAY_OVERLOADS(f64, double)
 #undef MOTORWAY_OVERLOADS
+
+// Motions. The compiled one is `memory`, which is the caller's.
+#define MOTORWAY_MOTIONS(P, T)                                                                                        \
+    [[nodiscard]] inline status motion_size(size_t &size, const motion<T> &motion, size_t *where = nullptr)           \
+    {                                                                                                                 \
+        return mw_motion_size_##P(&size, &motion, where);                                                             \
+    }                                                                                                                 \
+    [[nodiscard]] inline status compile_motion(const compiled_motion<T> *&compiled, void *memory, size_t size,        \
+                                               const motion<T> &motion, unsigned flags = MW_DEFAULT,                  \
+                                               size_t *where = nullptr)                                               \
+    {                                                                                                                 \
+        return mw_compile_motion_##P(&compiled, memory, size, &motion, flags, where);                                 \
+    }                                                                                                                 \
+    [[nodiscard]] inline status motion_domain(T (&domain)[2], const compiled_motion<T> *motion)                       \
+    {                                                                                                                 \
+        return mw_motion_domain_##P(domain, motion);                                                                  \
+    }                                                                                                                 \
+    [[nodiscard]] inline status sample_motion_one(mw_motors_##P out, const compiled_motion<T> *motion,                \
+                                                  const T *parameters, size_t count, unsigned flags = MW_DEFAULT,     \
+                                                  size_t index = 0)                                                   \
+    {                                                                                                                 \
+        return mw_sample_motion_one_##P(out, motion, index, parameters, count, flags);                                \
+    }                                                                                                                 \
+    [[nodiscard]] inline status sample_motion_each(mw_motors_##P out, const compiled_motion<T> *motion,               \
+                                                   const T *parameters, size_t parameter_stride, size_t count,        \
+                                                   unsigned flags = MW_DEFAULT, size_t index = 0)                     \
+    {                                                                                                                 \
+        return mw_sample_motion_each_##P(out, motion, index, parameters, parameter_stride, count, flags);             \
+    }                                                                                                                 \
+    [[nodiscard]] inline status sample_motion_twist_one(mw_motors_##P out, mw_bivectors_##P twists,                   \
+                                                        const compiled_motion<T> *motion, const T *parameters,        \
+                                                        size_t count, unsigned flags = MW_DEFAULT, size_t index = 0)  \
+    {                                                                                                                 \
+        return mw_sample_motion_twist_one_##P(out, twists, motion, index, parameters, count, flags);                  \
+    }                                                                                                                 \
+    [[nodiscard]] inline status sample_motion_twist_each(mw_motors_##P out, mw_bivectors_##P twists,                  \
+                                                         const compiled_motion<T> *motion, const T *parameters,       \
+                                                         size_t parameter_stride, size_t count,                       \
+                                                         unsigned flags = MW_DEFAULT, size_t index = 0)               \
+    {                                                                                                                 \
+        return mw_sample_motion_twist_each_##P(out, twists, motion, index, parameters, parameter_stride, count,       \
+                                               flags);                                                                \
+    }                                                                                                                 \
+    [[nodiscard]] inline status twist_velocity(T (&velocity)[3], const T (&twist)[6], const T (&place)[3])            \
+    {                                                                                                                 \
+        return mw_twist_velocity_##P(velocity, twist, place);                                                         \
+    }                                                                                                                 \
+    [[nodiscard]] inline status motion_lengths(T *lengths, const compiled_motion<T> *motion, const T (&point)[3],     \
+                                               const T *parameters, size_t count, size_t index = 0)                   \
+    {                                                                                                                 \
+        return mw_motion_lengths_##P(lengths, motion, index, point, parameters, count);                               \
+    }                                                                                                                 \
+    [[nodiscard]] inline status motion_even_parameters(T *parameters, const compiled_motion<T> *motion,               \
+                                                       const T (&point)[3], size_t count, size_t index = 0)           \
+    {                                                                                                                 \
+        return mw_motion_even_parameters_##P(parameters, motion, index, point, count);                                \
+    }                                                                                                                 \
+    [[nodiscard]] inline status compare_motions(motion_distance<T> &largest, const compiled_motion<T> *first,         \
+                                                const compiled_motion<T> *second, const_xyz<T> points, size_t count,  \
+                                                size_t sample_count, size_t first_index = 0, size_t second_index = 0) \
+    {                                                                                                                 \
+        return mw_compare_motions_##P(&largest, first, first_index, second, second_index, points, count,              \
+                                      sample_count);                                                                  \
+    }                                                                                                                 \
+    [[nodiscard]] inline status interpolate_keys(motion<T> &out, motion_arrays<T> arrays, mw_motion_kind kind,        \
+                                                 unsigned degree, const motor<T> *keys, const T *times, size_t count, \
+                                                 void *memory, size_t &size, size_t *where = nullptr)                 \
+    {                                                                                                                 \
+        return mw_interpolate_keys_##P(&out, arrays, kind, degree, keys, times, count, memory, &size, where);         \
+    }                                                                                                                 \
+    [[nodiscard]] inline status insert_knot(motion<T> &out, motion_arrays<T> arrays, const motion<T> &motion, T knot, \
+                                            unsigned times = 1)                                                       \
+    {                                                                                                                 \
+        return mw_insert_knot_##P(&out, arrays, &motion, knot, times);                                                \
+    }                                                                                                                 \
+    [[nodiscard]] inline status elevate_degree(motion<T> &out, motion_arrays<T> arrays, const motion<T> &motion)      \
+    {                                                                                                                 \
+        return mw_elevate_degree_##P(&out, arrays, &motion);                                                          \
+    }                                                                                                                 \
+    [[nodiscard]] inline status split_motion(motion<T> &before, motion_arrays<T> before_arrays, motion<T> &after,     \
+                                             motion_arrays<T> after_arrays, const motion<T> &motion, T at)            \
+    {                                                                                                                 \
+        return mw_split_motion_##P(&before, before_arrays, &after, after_arrays, &motion, at);                        \
+    }
+MOTORWAY_MOTIONS(f32, float)
+MOTORWAY_MOTIONS(f64, double)
+#undef MOTORWAY_MOTIONS
 
 // The group of motors, and representations.
 #define MOTORWAY_GROUP(P, T)                                                                                          \

@@ -13,6 +13,10 @@ namespace motorway::testing {
 template <class T>
 struct Api;
 
+// apply_point_motion and its like, one an operand.
+#define MOTORWAY_TEST_APPLY_MOTION(operand, views, precision)                                            \
+    static constexpr auto apply_##operand##_motion = mw_apply_##operand##_motion_##precision;
+
 #define MOTORWAY_TEST_API(T, precision)                                                                  \
     template <>                                                                                          \
     struct Api<T> {                                                                                      \
@@ -25,7 +29,10 @@ struct Api;
         using Bivectors = mw_bivectors_##precision;                                                      \
         using ConstBivectors = mw_const_bivectors_##precision;                                           \
         using Weights = mw_weights_##precision;                                                          \
-        using Bspline = mw_bspline_##precision;                                                          \
+        using Motion = mw_motion_##precision;                                                            \
+        using CompiledMotion = mw_compiled_motion_##precision;                                           \
+        using MotionArrays = mw_motion_arrays_##precision;                                               \
+        using MotionDistance = mw_motion_distance_##precision;                                           \
         static constexpr auto xyz_aos = mw_xyz_##precision##_aos;                                        \
         static constexpr auto const_xyz_aos = mw_const_xyz_##precision##_aos;                            \
         static constexpr auto motors_aos = mw_motors_##precision##_aos;                                  \
@@ -56,13 +63,28 @@ struct Api;
         static constexpr auto normalize_motor_each = mw_normalize_motor_each_##precision;                \
         static constexpr auto blend_motor_one = mw_blend_motor_one_##precision;                          \
         static constexpr auto blend_motor_each = mw_blend_motor_each_##precision;                        \
-        static constexpr auto check_bspline = mw_check_bspline_##precision;                              \
-        static constexpr auto sample_bspline = mw_sample_bspline_##precision;                            \
+        static constexpr auto motion_size = mw_motion_size_##precision;                                  \
+        static constexpr auto compile_motion = mw_compile_motion_##precision;                            \
+        static constexpr auto motion_domain = mw_motion_domain_##precision;                              \
+        static constexpr auto sample_motion_one = mw_sample_motion_one_##precision;                      \
+        static constexpr auto sample_motion_each = mw_sample_motion_each_##precision;                    \
+        static constexpr auto sample_motion_twist_one = mw_sample_motion_twist_one_##precision;          \
+        static constexpr auto sample_motion_twist_each = mw_sample_motion_twist_each_##precision;        \
+        static constexpr auto twist_velocity = mw_twist_velocity_##precision;                            \
+        static constexpr auto motion_lengths = mw_motion_lengths_##precision;                            \
+        static constexpr auto motion_even_parameters = mw_motion_even_parameters_##precision;            \
+        static constexpr auto compare_motions = mw_compare_motions_##precision;                          \
+        static constexpr auto interpolate_keys = mw_interpolate_keys_##precision;                        \
+        static constexpr auto insert_knot = mw_insert_knot_##precision;                                  \
+        static constexpr auto elevate_degree = mw_elevate_degree_##precision;                            \
+        static constexpr auto split_motion = mw_split_motion_##precision;                                \
+        MW_OPERANDS(MOTORWAY_TEST_APPLY_MOTION, precision)                                               \
     };
 
 MOTORWAY_TEST_API(float, f32)
 MOTORWAY_TEST_API(double, f64)
 #undef MOTORWAY_TEST_API
+#undef MOTORWAY_TEST_APPLY_MOTION
 
 // Component k of element i is `stride` * i bytes behind component[k], and need not be aligned.
 template <class T>

@@ -79,12 +79,9 @@ static void check(int holds, const char *what, int line)
     {                                                                                                                \
         const mw_motor_##precision controls[2] = {{1, 0, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 4, 0, 0, 0}};               \
         const T weights[2] = {(T)0.25, (T)0.75}, *const terms[2] = {&weights[0], &weights[1]};                       \
-        const T knots[2] = {0, 1}, parameter = (T)0.75;                                                              \
         mw_const_motors_##precision views[2];                                                                        \
         mw_weights_##precision view;                                                                                 \
-        mw_bspline_##precision motion;                                                                               \
         mw_motor_##precision sum;                                                                                    \
-        size_t where = 7;                                                                                            \
         view.terms = terms;                                                                                          \
         view.stride = sizeof weights;                                                                                \
         CHECK(mw_blend_motor_one_##precision(mw_motors_##precision##_aos(&sum, sizeof sum), controls, view, 2, 1) == \
@@ -95,19 +92,99 @@ static void check(int holds, const char *what, int line)
         CHECK(mw_blend_motor_each_##precision(mw_motors_##precision##_aos(&sum, sizeof sum), views, view, 2, 1) ==   \
               MW_OK);                                                                                                \
         CHECK(near_##precision(sum.s, 1) && near_##precision(sum.b1i, 3));                                           \
-        motion.controls = controls;                                                                                  \
-        motion.control_count = 2;                                                                                    \
-        motion.knots = knots;                                                                                        \
-        motion.knot_count = 2;                                                                                       \
-        motion.degree = 1;                                                                                           \
-        CHECK(mw_check_bspline_##precision(&motion, &where) == MW_OK);                                               \
-        CHECK(mw_sample_bspline_##precision(mw_motors_##precision##_aos(&sum, sizeof sum), &motion, &parameter,      \
-                                            1) == MW_OK);                                                            \
-        CHECK(near_##precision(sum.s, 1) && near_##precision(sum.b1i, 3));                                           \
     }
 
 DEFINE_TEST(f32, float, 1e-5f)
 DEFINE_TEST(f64, double, 1e-14)
+
+/* A straight motion of 4 along e1, from the description to a point that it moves. */
+#define DEFINE_MOTION_TEST(P, T)                                                                                     \
+    static void test_motion_##P(void)                                                                                \
+    {                                                                                                                \
+        const mw_motor_##P controls[2] = {{1, 0, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 2, 0, 0, 0}};                       \
+        const T knots[2] = {0, 1}, parameters[2] = {(T)0.25, (T)0.75}, point[3] = {1, 2, 3};                         \
+        uint64_t memory[256];                                                                                        \
+        const mw_compiled_motion_##P *compiled = NULL;                                                               \
+        mw_motion_##P motion;                                                                                        \
+        mw_motor_##P poses[2];                                                                                       \
+        T domain[2], twists[2][6], moved[2][3], velocity[3];                                                         \
+        size_t size = 0, where = 7;                                                                                  \
+        const mw_motors_##P out = mw_motors_##P##_aos(poses, sizeof poses[0]);                                       \
+        const mw_bivectors_##P rates = mw_bivectors_##P##_aos(twists[0], sizeof twists[0]);                          \
+        memset(&motion, 0, sizeof motion);                                                                           \
+        motion.kind = MW_MOTION_ADDITIVE;                                                                            \
+        motion.degree = 1;                                                                                           \
+        motion.controls = controls;                                                                                  \
+        motion.control_count = 2;                                                                                    \
+        motion.knots = knots;                                                                                        \
+        motion.knot_count = 2;                                                                                       \
+        CHECK(mw_motion_size_##P(&size, &motion, &where) == MW_OK && size <= sizeof memory);                         \
+        CHECK(mw_compile_motion_##P(&compiled, memory, sizeof memory, &motion, MW_DEFAULT, &where) == MW_OK);        \
+        CHECK(mw_motion_domain_##P(domain, compiled) == MW_OK && near_##P(domain[0], 0) && near_##P(domain[1], 1));  \
+        CHECK(mw_sample_motion_one_##P(out, compiled, 0, parameters, 2, MW_DEFAULT) == MW_OK);                       \
+        CHECK(near_##P(poses[1].s, 1) && near_##P(poses[1].b1i, (T)1.5));                                            \
+        CHECK(mw_sample_motion_each_##P(out, compiled, 0, parameters, sizeof(T), 1, MW_CLAMP_PARAMETERS) == MW_OK);  \
+        CHECK(near_##P(poses[0].b1i, (T)0.5));                                                                       \
+        CHECK(mw_sample_motion_twist_one_##P(out, rates, compiled, 0, parameters, 2, MW_BODY_FRAME) == MW_OK);       \
+        CHECK(near_##P(twists[1][3], 2) && near_##P(twists[1][0], 0));                                               \
+        CHECK(mw_sample_motion_twist_each_##P(out, rates, compiled, 0, parameters, 0, 1, MW_DEFAULT) == MW_OK);      \
+        CHECK(near_##P(twists[0][3], 2));                                                                            \
+        CHECK(mw_twist_velocity_##P(velocity, twists[0], point) == MW_OK && near_##P(velocity[0], 4));               \
+        CHECK(mw_apply_point_motion_##P(mw_xyz_##P##_aos(moved[0], sizeof moved[0]), sizeof moved[0], compiled, 0,   \
+                                        parameters, 2, mw_const_xyz_##P##_aos(point, sizeof point), 1,               \
+                                        MW_DEFAULT) == MW_OK);                                                       \
+        CHECK(near_##P(moved[0][0], 2) && near_##P(moved[1][0], 4) && near_##P(moved[1][1], 2));                     \
+        motion.degree = 0;                                                                                           \
+        CHECK(mw_motion_size_##P(&size, &motion, NULL) == MW_ERROR_DEGREE);                                          \
+    }
+
+DEFINE_MOTION_TEST(f32, float)
+DEFINE_MOTION_TEST(f64, double)
+
+#define DEFINE_MOTION_TOOLS_TEST(P, T)                                                                               \
+    static void test_motion_tools_##P(void)                                                                          \
+    {                                                                                                                \
+        /* Through three keys 4 apart along e1, at 0, 1 and 2. */                                                    \
+        const mw_motor_##P keys[3] = {{1, 0, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 2, 0, 0, 0}, {1, 0, 0, 0, 4, 0, 0, 0}}; \
+        const T times[3] = {0, 1, 2}, origin[3] = {0, 0, 0};                                                         \
+        mw_motor_##P controls[2][8];                                                                                 \
+        T knots[2][16], lengths[3], even[3];                                                                         \
+        uint64_t memory[512], working[512];                                                                          \
+        size_t size = 0, where = 7;                                                                                  \
+        mw_motion_##P motion, longer, higher, before, after;                                                         \
+        mw_motion_arrays_##P arrays[2];                                                                              \
+        mw_motion_distance_##P largest;                                                                              \
+        const mw_compiled_motion_##P *compiled = NULL;                                                               \
+        int k;                                                                                                       \
+        for (k = 0; k < 2; ++k) {                                                                                    \
+            arrays[k].controls = controls[k];                                                                        \
+            arrays[k].control_capacity = 8;                                                                          \
+            arrays[k].knots = knots[k];                                                                              \
+            arrays[k].knot_capacity = 16;                                                                            \
+        }                                                                                                            \
+        CHECK(mw_interpolate_keys_##P(&motion, arrays[0], MW_MOTION_ADDITIVE, 2, keys, times, 3, NULL, &size,        \
+                                      &where) == MW_OK && size <= sizeof working);                                   \
+        CHECK(mw_interpolate_keys_##P(&motion, arrays[0], MW_MOTION_ADDITIVE, 2, keys, times, 3, working, &size,     \
+                                      &where) == MW_OK);                                                             \
+        CHECK(motion.control_count == 3 && near_##P(motion.controls[1].b1i, 2));                                     \
+        CHECK(mw_compile_motion_##P(&compiled, memory, sizeof memory, &motion, MW_KEEP_SIGNS, NULL) == MW_OK);       \
+        CHECK(mw_motion_lengths_##P(lengths, compiled, 0, origin, times, 3) == MW_OK && near_##P(lengths[2], 8));    \
+        CHECK(mw_motion_even_parameters_##P(even, compiled, 0, origin, 3) == MW_OK && near_##P(even[1], 1));         \
+        CHECK(mw_compare_motions_##P(&largest, compiled, 0, compiled, 0,                                             \
+                                     mw_const_xyz_##P##_aos(origin, sizeof origin), 1, 9) == MW_OK);                 \
+        CHECK(largest.distance == 0);                                                                                \
+        CHECK(mw_insert_knot_##P(&longer, arrays[1], &motion, 1, 1) == MW_OK && longer.control_count == 4);          \
+        CHECK(mw_elevate_degree_##P(&higher, arrays[1], &motion) == MW_OK && higher.degree == 3);                    \
+        arrays[0].controls = controls[0] + 4;                                                                        \
+        arrays[0].control_capacity = 4;                                                                              \
+        arrays[0].knots = knots[0] + 8;                                                                              \
+        arrays[0].knot_capacity = 8;                                                                                 \
+        CHECK(mw_split_motion_##P(&before, arrays[0], &after, arrays[1], &motion, 1) == MW_OK);                      \
+        CHECK(near_##P(before.controls[2].b1i, 2) && near_##P(after.controls[0].b1i, 2));                            \
+    }
+
+DEFINE_MOTION_TOOLS_TEST(f32, float)
+DEFINE_MOTION_TOOLS_TEST(f64, double)
 
 /* A half turn about e3 is e12, its logarithm ½ π e12, and its root the quarter turn. */
 #define DEFINE_GROUP_TEST(precision, T)                                                                              \
@@ -377,6 +454,10 @@ int main(void)
     test_motors_f64();
     test_sums_f32();
     test_sums_f64();
+    test_motion_f32();
+    test_motion_f64();
+    test_motion_tools_f32();
+    test_motion_tools_f64();
     test_group_f32();
     test_group_f64();
     test_conversions_f32();

@@ -1,155 +1,209 @@
-// B-spline motions against the reference: every kind of knot vector, both ends, parameters in any order.
+// Samples of motions of every kind against the reference: degrees, knots, closed motions, weights, both ends, and
+// parameters in any order.
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "guarded_buffer.h"
-#include "isas.h"
-#include "layout.h"
-#include "motors.h"
-#include "precisions.h"
-#include "subject.h"
+#include "motion_tester.h"
 
 namespace motorway::testing {
 namespace {
 
-using reference::Real;
+using reference::DualQuaternion;
 
+// The weights of an additive motion lie between 0 and 1, and each level of the recursion splits them by a quotient of
+// two differences: at most 6 roundings of numbers up to 1, so after d levels a weight is off by no more than 3dε; the
+// sum over d + 1 controls adds ½(d + 1)ε, and their own weights 1ε. The error is relative to the controls of the
+// span: a weight may be close to 0 because two numbers cancel, and then its own relative error is not small. The sign
+// is the same all along the motion.
 template <class T>
-struct Motion {
-    std::vector<typename Api<T>::Motor> controls;
-    std::vector<T> knots;
-    std::size_t degree;
-
-    typename Api<T>::Bspline view() const
-    {
-        return {controls.data(), controls.size(), knots.data(), knots.size(), static_cast<unsigned>(degree)};
-    }
-    T first() const { return knots[degree - 1]; }
-    T last() const { return knots[controls.size() - 1]; }
-
-    std::vector<reference::Motor> exact_controls() const
-    {
-        std::vector<reference::Motor> exact;
-        for (const auto &control : controls)
-            exact.push_back(exact_motor(&control.s));
-        return exact;
-    }
-    std::vector<Real> exact_knots() const { return {knots.begin(), knots.end()}; }
-};
-
-enum class Ends { free, clamped };
-
-// Knots are exact in both precisions. Inner ones are repeated at random, up to degree + 1 times.
-template <class T>
-Motion<T> random_motion(Random &random, std::size_t degree, std::size_t control_count, Ends ends)
+void expect_additive(const MotionData<T> &data, const std::vector<T> &parameters, const std::vector<T> &out,
+                     unsigned flags)
 {
-    Motion<T> motion;
-    motion.degree = degree;
-    for (std::size_t k = 0; k < control_count; ++k) {
-        motion.controls.emplace_back();
-        draw_motor(random, k % 3 ? Regime::general : Regime::scaled_pseudoscalar, &motion.controls.back().s);
-    }
-    T knot = static_cast<T>(random.uniform(-64, 64));
-    knot = std::floor(knot * 16) / 16;
-    std::size_t repeated = 0;
-    const std::size_t knot_count = control_count + degree - 1;
-    for (std::size_t k = 0; k < knot_count; ++k) {
-        const bool at_end = ends == Ends::clamped && ((k > 0 && k < degree) || k > control_count - 1);
-        const bool must_rise = k == control_count - 1 || (ends == Ends::clamped && k == degree);
-        const bool repeats = at_end || (!must_rise && k > 0 && repeated < degree && random.chance(3));
-        if (k > 0 && !repeats)
-            knot += static_cast<T>(1 + random.below(64)) / 16;
-        repeated = repeats ? repeated + 1 : 0;
-        motion.knots.push_back(knot);
-    }
-    return motion;
-}
-
-// Both ends, all knots inside, and `count` others, in no order.
-template <class T>
-std::vector<T> parameters_of(Random &random, const Motion<T> &motion, std::size_t count)
-{
-    std::vector<T> parameters = {motion.first(), motion.last(), std::nextafter(motion.last(), motion.first()),
-                                 std::nextafter(motion.first(), motion.last())};
-    for (T knot : motion.knots)
-        if (motion.first() < knot && knot < motion.last()) {
-            parameters.push_back(knot);
-            parameters.push_back(std::nextafter(knot, motion.first()));
-        }
-    for (std::size_t k = 0; k < count; ++k) {
-        const double first = static_cast<double>(motion.first()), last = static_cast<double>(motion.last());
-        parameters.push_back(std::clamp(static_cast<T>(random.uniform(first, last)), motion.first(), motion.last()));
-    }
-    for (std::size_t k = parameters.size(); k > 1; --k)
-        std::swap(parameters[k - 1], parameters[random.below(k)]);
-    return parameters;
-}
-
-template <class T>
-std::vector<T> sampled(const Motion<T> &motion, const std::vector<T> &parameters)
-{
-    using Motor = typename Api<T>::Motor;
-    std::vector<T> out(8 * parameters.size());
-    const auto view = motion.view();
-    EXPECT_EQ(Api<T>::sample_bspline(Api<T>::motors_aos(reinterpret_cast<Motor *>(out.data()), sizeof(Motor)), &view,
-                                     parameters.data(), parameters.size()),
-              MW_OK);
-    return out;
-}
-
-// The weights are between 0 and 1 and each level of the recursion splits them by a quotient of two differences: at
-// most 6 roundings of numbers up to 1, so after d levels a weight is off by no more than 3dε; the sum over d + 1
-// controls adds ½(d + 1)ε. The error is relative to the controls of the span: a weight may be close to 0 because two
-// numbers cancel, and then its own relative error is not small.
-template <class T>
-void expect_matches_reference(const Motion<T> &motion, const std::vector<T> &parameters)
-{
-    const std::vector<T> out = sampled(motion, parameters);
-    const auto controls = motion.exact_controls();
-    const auto knots = motion.exact_knots();
+    const reference::Motion exact = data.exact(0, flags);
+    const long double sign = dot_of_rotations(exact_pose(out.data()), exact.at(parameters[0])) < 0 ? -1 : 1;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const Real t(parameters[i]);
-        const reference::Motor exact = reference::sample_bspline(controls, knots, motion.degree, t);
-        const std::vector<Real> basis = reference::bspline_basis(controls.size(), knots, motion.degree, t);
+        const std::size_t span = exact.span_of(parameters[i]);
+        const auto expected = motor_numbers(sign * exact.at(parameters[i], span));
         for (std::size_t c = 0; c < 8; ++c) {
-            Real magnitude;
-            for (std::size_t k = 0; k < controls.size(); ++k)
-                if (!(basis[k] == Real(0)))
-                    magnitude += abs(controls[k][c]);
-            const long double epsilons = 3.5L * static_cast<long double>(motion.degree + 1);
-            ASSERT_LE(std::abs(static_cast<long double>(Real(out[8 * i + c]) - exact[c])),
-                      epsilons * (epsilon<T> * static_cast<long double>(magnitude) + underflow<T>))
-                << Api<T>::name << ", degree " << motion.degree << ", " << controls.size() << " controls, parameter "
-                << parameters[i] << ", component " << c;
+            long double magnitude = 0;
+            for (const DualQuaternion &control : exact.controls_of(span))
+                magnitude += std::abs(motor_numbers(control)[c]);
+            const long double epsilons = 1 + 3.5L * static_cast<long double>(data.degree + 1);
+            ASSERT_LE(std::abs(static_cast<long double>(out[8 * i + c]) - expected[c]),
+                      epsilons * (epsilon<T> * magnitude + underflow<T>))
+                << data.name() << ", parameter " << parameters[i] << ", component " << c;
         }
     }
 }
 
+// A logarithm, an exponential and a product have a few epsilons each; the errors of the d levels of a tableau, or of
+// the d factors of a product, add up. Lengths are a few times those of the controls and the base.
 template <class T>
-class MotionTest : public ::testing::Test {};
+void expect_poses(const MotionData<T> &data, const std::vector<T> &parameters, const std::vector<T> &out)
+{
+    const reference::Motion exact = data.exact();
+    const long double reach = reach_of(data);
+    const long double levels = is_of_keys(data.kind) ? 3 + swing_of(exact) : static_cast<long double>(data.degree);
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        ASSERT_LE(pose_error(&out[8 * i], exact.at(parameters[i]), reach), 8 * (1 + levels))
+            << data.name() << ", parameter " << parameters[i];
+    }
+}
+
+template <class T>
+void expect_reference(const MotionData<T> &data, const std::vector<T> &parameters, unsigned flags = MW_DEFAULT)
+{
+    const CompiledMotion<T> motion(data, flags);
+    if (::testing::Test::HasFailure())
+        return;
+    const std::vector<T> out = sampled(motion, parameters);
+    if (is_additive(data.kind))
+        expect_additive(data, parameters, out, flags);
+    else
+        expect_poses(data, parameters, out);
+}
+
+template <class T>
+class MotionTest : public ::testing::Test {
+protected:
+    // The body once for every instruction set, with the same numbers, until one fails.
+    template <class Body>
+    void on_every_isa(Body body)
+    {
+        for (const std::string &isa : running_isas()) {
+            SCOPED_TRACE(isa);
+            ScopedIsa scope(isa);
+            body();
+            if (this->HasFailure())
+                return;
+        }
+    }
+};
 
 TYPED_TEST_SUITE(MotionTest, Precisions, PrecisionName);
 
-TYPED_TEST(MotionTest, matches_the_reference_for_every_degree)
+TYPED_TEST(MotionTest, every_kind_and_degree_with_knots_of_all_sorts)
 {
     using T = TypeParam;
-    for (const std::string &isa : running_isas()) {
-        SCOPED_TRACE(isa);
-        ScopedIsa scope(isa);
+    this->on_every_isa([&] {
         Random random(51);
-        for (std::size_t degree : {1, 2, 3, 4, 5, 31})
-            for (int repetition = 0; repetition < (degree == 31 ? 1 : 6); ++repetition)
-                for (Ends ends : {Ends::free, Ends::clamped}) {
+        for (mw_motion_kind kind : all_motion_kinds)
+            for (std::size_t degree : {1, 2, 3, 4, 5, 8})
+                for (int repetition = 0; repetition < 6; ++repetition) {
                     const std::size_t controls = degree + 1 + random.below(8);
-                    const auto motion = random_motion<T>(random, degree, controls, ends);
-                    expect_matches_reference(motion, parameters_of(random, motion, degree == 31 ? 4 : 12));
-                    if (this->HasFatalFailure())
+                    auto data = random_motion<T>(random, kind, degree, controls, repetition % 3 == 2);
+                    draw_knots(random, data, repetition % 3 ? Ends::clamped : Ends::free,
+                               is_additive(kind) ? degree + 1 : degree);
+                    expect_reference(data, parameters_of<T>(random, data.exact(), 6));
+                    if (this->HasFailure())
                         return;
                 }
+    });
+}
+
+TYPED_TEST(MotionTest, default_knots)
+{
+    using T = TypeParam;
+    this->on_every_isa([&] {
+        Random random(52);
+        for (mw_motion_kind kind : all_motion_kinds)
+            for (std::size_t degree : {1, 2, 3, 6})
+                for (std::size_t extra : {1, 2, 5})
+                    for (bool closed : {false, true}) {
+                        const auto data = random_motion<T>(random, kind, degree, degree + extra, closed);
+                        expect_reference(data, parameters_of<T>(random, data.exact(), 4));
+                        if (this->HasFailure())
+                            return;
+                    }
+    });
+}
+
+// The largest degree, whose binomial coefficients go up to 3e8; and an additive motion of a wide range of knots.
+TYPED_TEST(MotionTest, the_largest_degree)
+{
+    using T = TypeParam;
+    this->on_every_isa([&] {
+        Random random(53);
+        for (mw_motion_kind kind : all_motion_kinds)
+            for (std::size_t extra : {1, 4}) {
+                auto data = random_motion<T>(random, kind, MW_MAX_DEGREE, MW_MAX_DEGREE + extra);
+                draw_knots(random, data, extra == 1 ? Ends::clamped : Ends::free, 3);
+                expect_reference(data, parameters_of<T>(random, data.exact(), 4));
+            }
+    });
+}
+
+// Spans are found in a table of equal cells. Cubes are very unequal: many knots in one cell, and many cells in one
+// span; at the start or at the end of the domain.
+TYPED_TEST(MotionTest, spans_of_very_different_lengths)
+{
+    using T = TypeParam;
+    this->on_every_isa([&] {
+        Random random(62);
+        for (bool at_end : {false, true}) {
+            auto data = random_motion<T>(random, MW_MOTION_ADDITIVE, 2, 200);
+            for (int k = 0; k <= 200; ++k) {
+                const int from_end = at_end ? 200 - k : k;
+                data.knots.push_back(static_cast<T>((at_end ? -1 : 1) * from_end * from_end * from_end));
+            }
+            expect_reference(data, parameters_of<T>(random, data.exact(), 200));
+        }
+    });
+}
+
+TYPED_TEST(MotionTest, rational_motions)
+{
+    using T = TypeParam;
+    this->on_every_isa([&] {
+        Random random(54);
+        for (std::size_t degree : {1, 2, 3, 5})
+            for (bool closed : {false, true}) {
+                auto data = random_motion<T>(random, MW_MOTION_ADDITIVE, degree, degree + 4, closed);
+                for (std::size_t k = 0; k < data.control_count(); ++k)
+                    data.weights.push_back(static_cast<T>(std::abs(random.magnitude(0.1, 10))));
+                draw_knots(random, data, Ends::clamped, degree);
+                expect_reference(data, parameters_of<T>(random, data.exact(), 10));
+            }
+    });
+}
+
+// Weights are factors of the controls, and one weight for all is a factor of the motion: the same poses.
+TYPED_TEST(MotionTest, weights_are_factors_of_the_controls)
+{
+    using T = TypeParam;
+    Random random(55);
+    const auto plain = random_motion<T>(random, MW_MOTION_ADDITIVE, 3, 8);
+    auto weighted = plain, scaled = plain, even = plain;
+    for (std::size_t k = 0; k < plain.control_count(); ++k) {
+        const T weight = std::ldexp(T(1), static_cast<int>(random.below(5)) - 2);  // a power of two is exact
+        weighted.weights.push_back(weight);
+        even.weights.push_back(4);
+        for (std::size_t c = 0; c < 8; ++c)
+            (&scaled.controls[k].s)[c] *= weight;
+    }
+    const auto parameters = parameters_of<T>(random, plain.exact(), 50);
+    const auto of = [&](const MotionData<T> &data) { return sampled(CompiledMotion<T>(data), parameters); };
+    EXPECT_TRUE(same_bits(of(weighted), of(scaled)));
+    std::vector<T> four_times = of(plain);
+    for (T &number : four_times)
+        number *= 4;
+    EXPECT_TRUE(same_bits(of(even), four_times));
+}
+
+// Controls whose signs are as they come: sums that nearly cancel are further off, but not of their controls.
+TYPED_TEST(MotionTest, additive_motions_that_keep_signs)
+{
+    using T = TypeParam;
+    Random random(56);
+    for (std::size_t degree : {1, 3, 4}) {
+        auto data = random_motion<T>(random, MW_MOTION_ADDITIVE, degree, degree + 4);
+        for (auto &control : data.controls)
+            for (std::size_t c = 0; random.chance(2) && c < 8; ++c)
+                (&control.s)[c] *= -1;
+        expect_reference(data, parameters_of<T>(random, data.exact(0, MW_KEEP_SIGNS), 20), MW_KEEP_SIGNS);
     }
 }
 
@@ -157,183 +211,164 @@ TYPED_TEST(MotionTest, matches_the_reference_for_every_degree)
 TYPED_TEST(MotionTest, is_taken_from_the_right_at_a_knot)
 {
     using T = TypeParam;
-    Random random(52);
-    Motion<T> motion;
-    motion.degree = 2;
-    motion.knots = {0, 0, 1, 1, 1, 2, 2};
-    for (std::size_t k = 0; k < 6; ++k) {
-        motion.controls.emplace_back();
-        draw_motor(random, Regime::general, &motion.controls.back().s);
-    }
-    const std::vector<T> out = sampled(motion, {T(1), std::nextafter(T(1), T(0))});
-    const auto after = exact_motor(&motion.controls[3].s), before = exact_motor(&motion.controls[2].s);
-    for (std::size_t c = 0; c < 8; ++c) {
-        EXPECT_EQ(Real(out[c]), after[c]);
-        EXPECT_NEAR(static_cast<double>(out[8 + c]), static_cast<double>(static_cast<long double>(before[c])),
-                    static_cast<double>(40 * epsilon<T>));
-    }
-}
-
-TYPED_TEST(MotionTest, bezier_ends_are_the_controls_exactly)
-{
-    using T = TypeParam;
-    for (const std::string &isa : running_isas()) {
-        SCOPED_TRACE(isa);
-        ScopedIsa scope(isa);
-        Random random(53);
-        for (std::size_t degree = 1; degree <= MW_MAX_DEGREE; ++degree) {
-            Motion<T> motion;
-            motion.degree = degree;
-            motion.knots.assign(degree, T(0.1));
-            motion.knots.resize(2 * degree, T(0.7));
-            for (std::size_t k = 0; k <= degree; ++k) {
-                motion.controls.emplace_back();
-                draw_motor(random, Regime::scaled, &motion.controls.back().s);
-            }
-            const std::vector<T> out = sampled(motion, {T(0.1), T(0.7)});
-            for (std::size_t c = 0; c < 8; ++c) {
-                EXPECT_EQ(out[c], (&motion.controls.front().s)[c]) << "degree " << degree;
-                EXPECT_EQ(out[8 + c], (&motion.controls.back().s)[c]) << "degree " << degree;
-            }
-        }
-    }
-}
-
-TYPED_TEST(MotionTest, a_linear_motion_is_equation_5)
-{
-    using T = TypeParam;
-    Random random(54);
-    Motion<T> motion;
-    motion.degree = 1;
-    motion.knots = {0, 1};
-    motion.controls.resize(2);
-    for (auto &control : motion.controls)
-        draw_motor(random, Regime::general, &control.s);
-    const std::vector<T> out = sampled(motion, {T(0.25)});
-    for (std::size_t c = 0; c < 8; ++c)
-        EXPECT_NEAR(static_cast<double>(out[c]),
-                    0.75 * static_cast<double>((&motion.controls[0].s)[c]) +
-                        0.25 * static_cast<double>((&motion.controls[1].s)[c]),
-                    static_cast<double>(4 * epsilon<T>));
-}
-
-// The motion of the paper's figure 5, its controls made by the API in the paper's order, against the coefficients
-// printed there, to their three decimals. (The paper writes e31 in R_y, and e2 e123 = e31: a rotation about e2.)
-TYPED_TEST(MotionTest, figure_5_has_the_controls_printed_in_the_paper)
-{
-    using T = TypeParam;
-    using Motor = typename Api<T>::Motor;
-    constexpr double pi = 3.14159265358979323846;
-    struct Control {
-        double z, x, y;         // angles of the rotations, in this order, in units of π
-        T offset[3];
-        double printed[8];
-    };
-    const Control controls[] = {
-        {0, 0, 0, {1, 1, 0}, {1.000, 0, 0, 0, 0.500, 0.500, 0, 0}},
-        {1. / 6, 0, 0, {6, 1, 0}, {0.966, 0.259, 0, 0, 3.027, -0.293, 0, 0}},
-        {1. / 2, 0, 0, {8, 4, 2}, {0.707, 0.707, 0, 0, 4.243, -1.414, 0.707, 0.707}},
-        {1. / 2, 1. / 4, 0, {8, 6, 4}, {0.653, 0.653, 0.271, 0.271, 5.114, -0.112, -0.588, 1.577}},
-        {1. / 2, 0, 1. / 3, {4, 6, 6}, {0.612, 0.612, -0.354, 0.354, 2.001, 1.673, 1.484, 3.605}},
-        {1. / 2, 0, 1. / 2, {1, 6, 2}, {0.500, 0.500, -0.500, 0.500, 1.250, 1.750, -0.750, 2.250}}};
-    const T e1[] = {1, 0, 0}, e2[] = {0, 1, 0}, e3[] = {0, 0, 1};
-    Motion<T> motion;
-    motion.degree = 2;
-    motion.knots = {0, 0, 1, 2, 3, 4, 4};
-    for (const Control &control : controls) {
-        Motor pose, factors[3];
-        ASSERT_EQ(Api<T>::rotation(&pose, e3, static_cast<T>(control.z * pi), nullptr), MW_OK);
-        ASSERT_EQ(Api<T>::rotation(&factors[0], e1, static_cast<T>(control.x * pi), nullptr), MW_OK);
-        ASSERT_EQ(Api<T>::rotation(&factors[1], e2, static_cast<T>(control.y * pi), nullptr), MW_OK);
-        ASSERT_EQ(Api<T>::translation(&factors[2], control.offset), MW_OK);
-        for (const Motor &factor : factors)
-            ASSERT_EQ(Api<T>::compose_motor_each(Api<T>::motors_aos(&pose, sizeof pose),
-                                                 Api<T>::const_motors_aos(&pose, sizeof pose),
-                                                 Api<T>::const_motors_aos(&factor, sizeof factor), 1),
-                      MW_OK);
-        for (std::size_t c = 0; c < 8; ++c)
-            EXPECT_NEAR(static_cast<double>((&pose.s)[c]), control.printed[c], 0.0006)
-                << "control " << &control - controls << ", component " << c;
-        motion.controls.push_back(pose);
-    }
-    Random random(55);
-    expect_matches_reference(motion, parameters_of(random, motion, 50));
-}
-
-// Every layout of the result, against a forbidden page, with parameters and motion against pages of their own.
-TYPED_TEST(MotionTest, samples_into_every_layout_and_touches_nothing_else)
-{
-    using T = TypeParam;
-    Random random(56);
-    const auto motion = random_motion<T>(random, 3, 9, Ends::clamped);
-    GuardedBuffer controls(4096), knots(4096), parameters(4096);
-    std::vector<GuardedBuffer> out;
-    for (int k = 0; k < 8; ++k)
-        out.emplace_back(65536);
-    for (Guard guard : {Guard::after, Guard::before})
-        for (const Layout &layout : Layout::all(8, sizeof(T)))
-            for (std::size_t count = 0; count < 70; count = count < 20 ? count + 1 : count + 7) {
-                std::vector<T> t = parameters_of(random, motion, 70);
-                t.resize(count);
-                const std::vector<T> expected = sampled(motion, t);
-                auto view = motion.view();
-                view.controls = controls.place_copy(view.controls, view.control_count, guard);
-                view.knots = knots.place_copy(view.knots, view.knot_count, guard);
-                const T *placed = parameters.place_copy(t.data(), count, guard);
-
-                const Placement placement = layout.place(8, count, sizeof(T));
-                std::vector<unsigned char *> blocks;
-                for (std::size_t size : placement.block_sizes) {
-                    blocks.push_back(out[blocks.size()].place(size, guard));
-                    std::fill_n(blocks.back(), size, static_cast<unsigned char>(0xa7));
-                }
-                View<T> motors;
-                motors.stride = placement.stride;
-                for (const auto &[block, offset] : placement.component)
-                    motors.component.push_back(reinterpret_cast<T *>(blocks[block] + offset));
-                ASSERT_EQ(Api<T>::sample_bspline(motors.motors(), &view, placed, count), MW_OK);
-
-                for (std::size_t i = 0; i < count; ++i)
-                    for (std::size_t c = 0; c < 8; ++c) {
-                        auto *address = reinterpret_cast<unsigned char *>(motors.component[c]) + i * motors.stride;
-                        ASSERT_EQ(std::memcmp(address, &expected[8 * i + c], sizeof(T)), 0)
-                            << layout.name() << ", count " << count << ", element " << i << ", component " << c;
-                        std::fill_n(address, sizeof(T), static_cast<unsigned char>(0xa7));
-                    }
-                for (std::size_t b = 0; b < blocks.size(); ++b)
-                    for (std::size_t k = 0; k < placement.block_sizes[b]; ++k)
-                        ASSERT_EQ(blocks[b][k], 0xa7) << layout.name() << ", count " << count << ", byte " << k;
-            }
-}
-
-// A sample does not depend on its neighbours: not on the order of the parameters, nor on how many there are.
-TYPED_TEST(MotionTest, samples_do_not_depend_on_one_another)
-{
-    using T = TypeParam;
     Random random(57);
-    const auto motion = random_motion<T>(random, 4, 12, Ends::free);
-    const std::vector<T> parameters = parameters_of(random, motion, 100);
-    const std::vector<T> together = sampled(motion, parameters);
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const std::vector<T> alone = sampled(motion, {parameters[i]});
-        ASSERT_EQ(std::memcmp(alone.data(), &together[8 * i], sizeof(T[8])), 0) << "parameter " << parameters[i];
+    auto data = random_motion<T>(random, MW_MOTION_ADDITIVE, 2, 6);
+    data.knots = {0, 0, 1, 1, 1, 2, 2};
+    const std::vector<T> out = sampled(CompiledMotion<T>(data), {T(1), std::nextafter(T(1), T(0))});
+    EXPECT_LE(pose_error(&out[0], exact_pose(&data.controls[3].s), reach_of(data)), 2);
+    EXPECT_LE(pose_error(&out[8], exact_pose(&data.controls[2].s), reach_of(data)), 40);
+}
+
+// ----------------------------------------------------------------------------------------------------- ends and keys
+
+// How far from its control an end pose or a key pose may be, in epsilons. A sum has it to the bit, and so has a
+// cumulative motion where a span begins, which it is based on. A tableau adds a quarter of an epsilon a level where
+// it has many. Generators go through a logarithm and an exponential, which leave three; the last pose of a cumulative
+// motion of degree d goes through d of these and d products.
+template <class T>
+long double most_epsilons(const MotionData<T> &data, bool is_last)
+{
+    const long double degree = static_cast<long double>(data.degree);
+    switch (data.kind) {
+    case MW_MOTION_ADDITIVE: return 0;
+    case MW_MOTION_MULTIPLICATIVE: return data.degree > 3 ? 2 + degree / 4 : 2;
+    case MW_MOTION_CUMULATIVE: return is_last ? 3 + 1.5L * degree : 0;
+    default: return 3.5L;
     }
 }
 
-TYPED_TEST(MotionTest, samples_agree_within_a_class_of_instruction_sets)
+TYPED_TEST(MotionTest, clamped_motions_meet_their_end_poses)
 {
     using T = TypeParam;
-    Random random(58);
-    const auto motion = random_motion<T>(random, 5, 14, Ends::clamped);
-    const std::vector<T> parameters = parameters_of(random, motion, 100);
-    std::vector<T> of_class[2];
-    for (const std::string &isa : running_isas()) {
-        ScopedIsa scope(isa);
-        const std::vector<T> out = sampled(motion, parameters);
-        std::vector<T> &first = of_class[fuses(isa)];
-        if (first.empty())
-            first = out;
-        EXPECT_EQ(std::memcmp(first.data(), out.data(), out.size() * sizeof(T)), 0) << isa;
+    this->on_every_isa([&] {
+        Random random(58);
+        for (mw_motion_kind kind : {MW_MOTION_ADDITIVE, MW_MOTION_MULTIPLICATIVE, MW_MOTION_CUMULATIVE,
+                                    MW_MOTION_GENERATOR})
+            for (std::size_t degree : {1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 4, 5, 6, 11, 31}) {
+                auto data = random_motion<T>(random, kind, degree, degree + 3);
+                const T first_knot = static_cast<T>(random.uniform(0, 0.3));
+                data.knots.assign(degree, first_knot);
+                data.knots.push_back(first_knot + static_cast<T>(random.uniform(0.1, 0.2)));
+                data.knots.push_back(first_knot + static_cast<T>(random.uniform(0.2, 0.4)));
+                data.knots.resize(2 * degree + 2, T(0.7));
+                const std::vector<T> out = sampled(CompiledMotion<T>(data), {first_knot, T(0.7)});
+                const auto first = exact_pose(&data.controls.front().s), last = exact_pose(&data.controls.back().s);
+                const long double reach = reach_of(data);
+                EXPECT_LE(pose_error(&out[0], first, reach), most_epsilons(data, false)) << data.name();
+                EXPECT_LE(pose_error(&out[8], last, reach), most_epsilons(data, true)) << data.name();
+                if (is_additive(kind)) {
+                    EXPECT_EQ(motor_error(&out[0], first), 0) << data.name();
+                    EXPECT_EQ(motor_error(&out[8], last), 0) << data.name();
+                }
+            }
+    });
+}
+
+// Knots of multiplicity d, keys, and every pose of a motion of degree 1.
+TYPED_TEST(MotionTest, motions_meet_their_key_poses)
+{
+    using T = TypeParam;
+    this->on_every_isa([&] {
+        Random random(59);
+        for (mw_motion_kind kind : all_motion_kinds)
+            for (std::size_t degree : {1, 3})
+                for (bool closed : {false, true}) {
+                    const std::size_t keys = 6, between = is_of_keys(kind) ? 1 : degree;
+                    if (closed && between > 1)
+                        continue;
+                    auto data = random_motion<T>(random, kind, degree, (keys - 1) * between + 1, closed);
+                    std::vector<T> times;
+                    for (std::size_t k = 0; k < keys; ++k) {
+                        times.push_back(static_cast<T>(k * k) / 4 + static_cast<T>(k) / 8);
+                        data.knots.insert(data.knots.end(), between, times.back());
+                    }
+                    if (closed)
+                        data.knots.push_back(T(10));
+                    const std::vector<T> out = sampled(CompiledMotion<T>(data), times);
+                    for (std::size_t k = 0; k < keys; ++k) {
+                        const auto key = exact_pose(&data.controls[k * between].s);
+                        EXPECT_LE(pose_error(&out[8 * k], key, reach_of(data)),
+                                  most_epsilons(data, k + 1 == keys && !closed))
+                            << data.name() << ", key " << k;
+                    }
+                }
+    });
+}
+
+// Of one or two floating-point numbers, at 1 and where numbers are as small as they may be.
+TYPED_TEST(MotionTest, the_shortest_domains)
+{
+    using T = TypeParam;
+    Random random(63);
+    for (mw_motion_kind kind : all_motion_kinds)
+        for (bool at_one : {false, true}) {
+            auto data = random_motion<T>(random, kind, 1, 2);
+            data.knots = {0, std::numeric_limits<T>::min()};
+            if (at_one)
+                data.knots = {1, 1 + std::numeric_limits<T>::epsilon()};
+            const std::vector<T> out = sampled(CompiledMotion<T>(data), data.knots);
+            for (std::size_t k : {0, 1})
+                EXPECT_LE(pose_error(&out[8 * k], exact_pose(&data.controls[k].s), reach_of(data)),
+                          most_epsilons(data, k == 1))
+                    << data.name();
+        }
+}
+
+TYPED_TEST(MotionTest, the_domain)
+{
+    using T = TypeParam;
+    Random random(60);
+    for (mw_motion_kind kind : all_motion_kinds)
+        for (bool closed : {false, true})
+            for (bool knots : {false, true}) {
+                auto data = random_motion<T>(random, kind, 3, 7, closed);
+                if (knots)
+                    draw_knots(random, data, Ends::free, 2);
+                const CompiledMotion<T> motion(data);
+                EXPECT_EQ(motion.first(), data.exact().first()) << data.name();
+                EXPECT_EQ(motion.last(), data.exact().last()) << data.name();
+            }
+}
+
+// The end of a closed motion is its start, of one sign or the other.
+TYPED_TEST(MotionTest, closed_motions_come_back)
+{
+    using T = TypeParam;
+    Random random(61);
+    for (mw_motion_kind kind : all_motion_kinds)
+        for (std::size_t degree : {1, 2, 3}) {
+            auto data = random_motion<T>(random, kind, degree, 6, true);
+            draw_knots(random, data, Ends::free, 1);
+            const CompiledMotion<T> motion(data);
+            const std::vector<T> out = sampled(motion, {motion.first(), motion.last()});
+            EXPECT_LE(pose_error(&out[8], exact_pose(&out[0]), reach_of(data)), 4) << data.name();
+        }
+}
+
+// A motion that turns once about an axis until it is closed: the controls come back with the other sign, and the
+// motion goes on as if nothing were.
+TYPED_TEST(MotionTest, a_closed_motion_that_turns_once)
+{
+    using T = TypeParam;
+    for (mw_motion_kind kind : {MW_MOTION_ADDITIVE, MW_MOTION_MULTIPLICATIVE, MW_MOTION_CUMULATIVE}) {
+        MotionData<T> data;
+        data.kind = kind;
+        data.degree = 3;
+        data.closed = true;
+        for (int k = 0; k < 5; ++k) {
+            const double half = 3.14159265358979323846 * k / 5;
+            const T c = static_cast<T>(std::cos(half)), s = static_cast<T>(std::sin(half));
+            data.controls.push_back({c, s, 0, 0, 0, 0, 0, 0});
+        }
+        std::vector<T> parameters;
+        for (int k = 0; k <= 40; ++k)
+            parameters.push_back(static_cast<T>(k) / 8);
+        expect_reference(data, parameters);
+        // It turns the same way everywhere, at a speed that is almost constant.
+        const Twists<T> all = twisted(CompiledMotion<T>(data), parameters);
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            EXPECT_NEAR(all.twists[6 * i], 3.14159265358979323846 / 5, 0.02)
+                << name_of(kind) << ", " << parameters[i];
     }
 }
 

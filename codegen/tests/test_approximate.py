@@ -61,6 +61,11 @@ class Functions(unittest.TestCase):
             "sinc": lambda x: math.sin(math.sqrt(x)) / math.sqrt(x),
             "sinc_slope": lambda x: (math.cos(math.sqrt(x)) - math.sin(math.sqrt(x)) / math.sqrt(x)) / x,
             "arc": lambda z: math.acos(1 - z) / math.sqrt(z * (2 - z)),
+            "adjoint": lambda x: (1 - math.sin(2 * math.sqrt(x)) / (2 * math.sqrt(x))) / (4 * x),
+            "adjoint_slope": lambda x: (
+                1.5 * math.sin(2 * math.sqrt(x)) / (2 * math.sqrt(x)) - 0.5 * math.cos(2 * math.sqrt(x)) - 1
+            )
+            / (4 * x * x),
             "arc_slope": lambda z: ((1 - z) * math.acos(1 - z) / math.sqrt(z * (2 - z)) - 1) / (z * (2 - z)),
         }
         self.assertEqual(set(definitions), set(FUNCTIONS))
@@ -78,6 +83,7 @@ class Functions(unittest.TestCase):
         for k in range(40):  # C' = -S/2, S' = D/2, and of f by s = 1 - z
             self.assertEqual((k + 1) * coefficient("cosine", k + 1), -coefficient("sinc", k) / 2)
             self.assertEqual((k + 1) * coefficient("sinc", k + 1), coefficient("sinc_slope", k) / 2)
+            self.assertEqual((k + 1) * coefficient("adjoint", k + 1), coefficient("adjoint_slope", k))
             self.assertEqual(-(k + 1) * coefficient("arc", k + 1), coefficient("arc_slope", k))
 
     def test_the_arc_satisfies_its_differential_equation(self):

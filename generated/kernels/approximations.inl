@@ -108,3 +108,37 @@ template <class V> inline V arc_slope(const V &x)
     else
         return horner(x, precise);
 }
+
+// (1 - sin(2√x) / 2√x) / 4x on [0, 1]: of degree 4 in float and 7 in double.
+// The error is below 5.1e-09 and 1.7e-17, proved.
+template <class V> inline V adjoint(const V &x)
+{
+    constexpr float single[] = {
+        0.16666667f, -0.03333348f, 0.0031752728f, -0.00017726696f, 6.6284647e-06f,
+    };
+    constexpr double precise[] = {
+        0.16666666666666666, -0.03333333333333156, 0.003174603174563436, -0.00017636684270637485,
+        6.413338439913672e-06, -1.6444178786455256e-07, 3.1289094322569303e-09, -4.396386438363845e-11,
+    };
+    if constexpr (is_single<V>)
+        return horner(x, single);
+    else
+        return horner(x, precise);
+}
+
+// the derivative of (1 - sin(2√x) / 2√x) / 4x on [0, 1]: of degree 3 in float and 7 in double.
+// The error is below 7.7e-09 and 1.5e-18, proved.
+template <class V> inline V adjoint_slope(const V &x)
+{
+    constexpr float single[] = {
+        -0.033333335f, 0.0063490793f, -0.00052825897f, 2.4144294e-05f,
+    };
+    constexpr double precise[] = {
+        -0.03333333333333333, 0.00634920634920621, -0.0005291005290972621, 2.5653358959295014e-05,
+        -8.222229339151308e-07, 1.879342951288583e-08, -3.2215256153150143e-10, 4.130170982424943e-12,
+    };
+    if constexpr (is_single<V>)
+        return horner(x, single);
+    else
+        return horner(x, precise);
+}

@@ -47,6 +47,45 @@ template <class T, class E = T> struct call {
 
 template <class T, class E = T> using kernel = void (*)(const call<T, E> &);
 
+// ------------------------------------------------------------------------------------------------------- motions
+
+// What becomes of a parameter outside the domain. `none` is outside after the check.
+enum class outside : unsigned char { none, clamp, wrap };
+
+// Samples of compiled motions (../motion/compiled.h): of one at every parameter, or of one after the other.
+//
+// Span j is for starts[j] <= t < starts[j + 1], the last one for its end as well. It has span_size numbers: its start,
+// the inverse of its length, which give the local parameter u, and for level r = 2 ... degree of the blossom recursion
+// and k = 0 ... r - 1 a factor and a summand, which make the ratio of u in which neighbours k and k + 1 are combined.
+// That of level 1 is u. Its controls are degree + 1 rows of eight numbers from row first[j] on.
+// cells[i] is a span at or before that of the parameters begin + (i ... i + 1) / cells_per_unit.
+template <class T> struct motion_call {
+    const stream<T> *out; // the motors; then the twists, where the kernel makes them
+    const T *parameters;
+    std::size_t count;
+
+    T begin, end, cells_per_unit;
+    outside treatment;
+    bool body_frame; // twists
+
+    std::size_t degree, span_count, cell_count, span_size;
+    const T *starts, *spans;
+    const unsigned *first, *cells;
+    const T *rows, *bases;
+    std::size_t motion_stride; // numbers from a motion's rows to those of the next: 0 is one for all
+    bool base_per_row;         // a base belongs to each row, or one to all
+};
+
+// How a pose is made of the controls of a span.
+enum class scheme { additive, multiplicative, cumulative, generator, count };
+
+template <class T> struct motion_kernels {
+    // Whether all parameters are in the domain; with clamp and wrap, whether they are finite.
+    bool (*are_sound)(const motion_call<T> &);
+    void (*sample[static_cast<int>(scheme::count)])(const motion_call<T> &);
+    void (*sample_twist[static_cast<int>(scheme::count)])(const motion_call<T> &);
+};
+
 // Every kernel by its name.
 enum class kernel_id {
 #define MOTORWAY_KERNEL(verb, operand, pairing, ...) verb##_##operand##_##pairing,
@@ -68,6 +107,8 @@ struct kernel_table {
     kernel<float> f32[static_cast<int>(kernel_id::count)];
     kernel<double> f64[static_cast<int>(kernel_id::count)];
     kernel<double, float> mixed[static_cast<int>(mixed_kernel_id::count)];
+    motion_kernels<float> motions_f32;
+    motion_kernels<double> motions_f64;
 };
 
 } // namespace motorway

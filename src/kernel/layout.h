@@ -387,6 +387,28 @@ public:
 };
 #endif
 
+// A writer that knows the usual layouts without a call.
+template <class T, int N> class result_stream {
+    layout kind;
+    soa_stream<T, N> soa;
+    packed_stream<T, N> packed;
+    any_stream<T, N> any;
+
+public:
+    explicit result_stream(const stream<T> &s) : kind(s.kind), soa(s), packed(s), any(s) {}
+    void store(std::size_t i, int n, const vector<T> *v) const
+    {
+        if (n < width<T>)
+            any.store_partial(i, n, v);
+        else if (kind == layout::soa)
+            soa.store(i, v);
+        else if (kind == layout::packed)
+            packed.store(i, v);
+        else
+            any.store(i, v);
+    }
+};
+
 } // namespace
 } // namespace MOTORWAY_ISA_NAME
 } // namespace motorway

@@ -159,6 +159,24 @@ inline xsimd::batch<T, A> if_less(const xsimd::batch<T, A> &a, const xsimd::batc
 }
 #endif
 
+// Whether every lane is within [low, below), or between low and high, both included. Not if one is NaN.
+inline bool all_within(float a, float low, float below) { return low <= a && a < below; }
+inline bool all_within(double a, double low, double below) { return low <= a && a < below; }
+inline bool all_between(float a, float low, float high) { return low <= a && a <= high; }
+inline bool all_between(double a, double low, double high) { return low <= a && a <= high; }
+#if !defined(MOTORWAY_ISA_scalar)
+template <class T, class A> inline bool all_within(const xsimd::batch<T, A> &a, T low, T below)
+{
+    using V = xsimd::batch<T, A>;
+    return xsimd::all((V(low) <= a) & (a < V(below)));
+}
+template <class T, class A> inline bool all_between(const xsimd::batch<T, A> &a, T low, T high)
+{
+    using V = xsimd::batch<T, A>;
+    return xsimd::all((V(low) <= a) & (a <= V(high)));
+}
+#endif
+
 // The nearest integer, of two the even one. Adding and taking off 1.5 · 2^23 (2^52 in double) rounds to integers;
 // what is too large for that is one.
 template <class V> inline V nearest_by_adding(const V &a)
@@ -444,6 +462,30 @@ template <int Size, class T> inline void store_rows(T *const *row, const vector<
 }
 
 #endif
+
+// ------------------------------------------------------------------------------------------------------- motors
+//
+// A motor in memory, eight adjacent scalars, as one or more registers: where elements are blended one at a time.
+
+#if defined(MOTORWAY_ISA_scalar)
+template <class T> using motor_part = T;
+template <class T> inline motor_part<T> load_motor_part(const T *from) { return *from; }
+template <class T> inline void store_motor_part(T *to, const motor_part<T> &value) { *to = value; }
+#elif defined(MOTORWAY_ISA_avx512)
+template <class T>
+using motor_part = std::conditional_t<sizeof(T) == 4, xsimd::batch<float, xsimd::fma3<xsimd::avx2>>, vector<T>>;
+inline motor_part<float> fma(const motor_part<float> &a, const motor_part<float> &b, const motor_part<float> &c)
+{
+    return _mm256_fmadd_ps(a, b, c);
+}
+#else
+template <class T> using motor_part = vector<T>;
+#endif
+#if !defined(MOTORWAY_ISA_scalar)
+template <class T> inline motor_part<T> load_motor_part(const T *from) { return motor_part<T>::load_unaligned(from); }
+template <class T> inline void store_motor_part(T *to, const motor_part<T> &value) { value.store_unaligned(to); }
+#endif
+template <class T> constexpr int motor_parts = 8 * static_cast<int>(sizeof(T)) / static_cast<int>(sizeof(motor_part<T>));
 
 // ------------------------------------------------------------------------------------------- past the caches
 //

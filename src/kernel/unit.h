@@ -60,6 +60,11 @@ namespace {
 
 } // namespace
 } // namespace MOTORWAY_ISA_NAME
+} // namespace motorway
+
+#include "motion.h"
+
+namespace motorway {
 
 #define MOTORWAY_STRING(x) #x
 #define MOTORWAY_STRING_OF(x) MOTORWAY_STRING(x)
@@ -94,6 +99,8 @@ const kernel_table MOTORWAY_TABLE(MOTORWAY_ISA_NAME) = {
     MOTORWAY_LOOP_OF(verb##_##operand##_##pairing##_mixed, pairing, double, float)
 #include "../../generated/kernel_list.inc"
     },
+    MOTORWAY_ISA_NAME::kernels_of_motions<float>,
+    MOTORWAY_ISA_NAME::kernels_of_motions<double>,
 };
 
 } // namespace motorway

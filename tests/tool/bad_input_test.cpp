@@ -61,19 +61,31 @@ BadInput control(const std::string &name, const std::string &contents, const std
                  const std::string &also = "")
 {
     return motion("Control" + name,
-                  R"({"motorway": 1, "kind": "linear", "controls": [)" + contents + R"(, {"steps": []}]})", expected,
-                  also);
+                  R"({"motorway": 2, "scheme": "additive", "degree": 1, "controls": [)" + contents +
+                      R"(, {"steps": []}]})",
+                  expected, also);
 }
 
-/* A B-spline of four poses at rest with these knots. */
+/* A motion of four poses at rest, which are in the third line, with these fields in the second. */
+BadInput scheme(const std::string &name, const std::string &fields, const std::string &expected,
+                const std::string &also = "", const std::string &poses = "controls")
+{
+    return motion("Scheme" + name,
+                  "{\"motorway\": 2,\n" + fields + ",\n\"" + poses +
+                      R"(": [{"steps": []}, {"steps": []}, {"steps": []}, {"steps": []}]})",
+                  expected, also);
+}
+
+BadInput keys(const std::string &name, const std::string &fields, const std::string &expected,
+              const std::string &also = "")
+{
+    return scheme("Keys" + name, fields, expected, also, "keys");
+}
+
 BadInput knots(const std::string &name, const std::string &degree_and_knots, const std::string &expected,
                const std::string &also = "")
 {
-    return motion("Spline" + name,
-                  R"({"motorway": 1, "kind": "bspline", "controls":
-        [{"steps": []}, {"steps": []}, {"steps": []}, {"steps": []}], )" +
-                      degree_and_knots + "}",
-                  expected, also);
+    return scheme("Knots" + name, R"("scheme": "additive", )" + degree_and_knots, expected, also);
 }
 
 BadInput options(const std::string &name, const std::vector<std::string> &arguments, const std::string &expected,
@@ -203,84 +215,257 @@ std::vector<BadInput> ply_cases()
 
 std::vector<BadInput> motion_cases()
 {
-    const std::string rotate = R"({"steps": [{"rotate": )";
+    const std::string two = R"("controls": [{"steps": []}, {"steps": []}]})";
     return {
         motion("Empty", "", "motion.json:1: not JSON"),
         motion("Truncated", "{\"motorway\": 1,\n\"kind\": \"linear\",\n\"controls\": [{\"steps\"",
                "motion.json:3: ", "controls[0]"),
-        motion("NotAnObject", "[]", "motion.json: must be an object"),
-        motion("UnknownKey", R"({"motorway": 1, "kind": "linear", "speed": 2, "controls": []})",
-               "motion.json: unknown key \"speed\""),
-        motion("KeyTwice", R"({"motorway": 1, "kind": "linear", "kind": "bezier", "controls": []})",
-               "motion.json: ", "\"kind\" comes twice"),
-        motion("NoVersion", R"({"kind": "linear", "controls": []})", "motion.json: the key \"motorway\" is missing"),
-        motion("UnknownVersion", R"({"motorway": 2, "kind": "linear", "controls": []})", "motion.json: motorway: "),
-        motion("NoKind", R"({"motorway": 1, "controls": [{"steps": []}, {"steps": []}]})",
-               "motion.json: the key \"kind\" is missing"),
-        motion("UnknownKind", R"({"motorway": 1, "kind": "cubic", "controls": [{"steps": []}, {"steps": []}]})",
-               "motion.json: kind: "),
-        motion("NoControls", R"({"motorway": 1, "kind": "linear"})", "motion.json: the key \"controls\" is missing"),
-        motion("EmptyControls", R"({"motorway": 1, "kind": "linear", "controls": []})", "motion.json: controls: "),
-        motion("EmptyBsplineControls",
-               R"({"motorway": 1, "kind": "bspline", "degree": 1, "knots": [], "controls": []})",
-               "motion.json: controls: "),
-        motion("OneControl", R"({"motorway": 1, "kind": "bezier", "controls": [{"steps": []}]})",
-               "motion.json: controls: "),
-        motion("LinearWithKnots", R"({"motorway": 1, "kind": "linear", "knots": [0, 1], "controls":
-               [{"steps": []}, {"steps": []}]})",
-               "motion.json: unknown key \"knots\""),
-        motion("NameOfAnotherType", R"({"motorway": 1, "name": 5, "kind": "linear", "controls": []})",
-               "motion.json: name: must be a text"),
-        motion("MeshSizeOfZero", R"({"motorway": 1, "mesh_size": 0, "kind": "linear", "controls": []})",
-               "motion.json: mesh_size: "),
-        motion("CancellingControls", R"({"motorway": 1, "kind": "linear", "controls": [{"steps": []},
+        motion("NotAnObject", "[]", "motion.json:1: must be an object"),
+        motion("KeyTwice", "{\"motorway\": 1, \"kind\": \"linear\",\n\"kind\": \"bezier\", \"controls\": []}",
+               "motion.json:2: the key \"kind\" comes twice"),
+        motion("KeyTwiceInside", "{\"motorway\": 2, \"controls\": [{},\n{\"motor\": 1, \"motor\": 2}]}",
+               "motion.json:2: controls[1]: the key \"motor\" comes twice"),
+        motion("NoVersion", R"({"kind": "linear", "controls": []})",
+               "motion.json:1: the key \"motorway\" is missing"),
+        motion("UnknownVersion", R"({"motorway": 3, "scheme": "additive", "degree": 1, )" + two,
+               "motion.json:1: motorway: unknown version", "versions 1 and 2"),
+        motion("NoScheme", R"({"motorway": 2, )" + two, "motion.json:1: the key \"scheme\" is missing"),
+        motion("NoPoses", R"({"motorway": 2, "scheme": "additive", "degree": 1})",
+               "motion.json:1: a motion has either \"controls\" or \"keys\""),
+        motion("ControlsAndKeys", R"({"motorway": 2, "scheme": "additive", "degree": 1, "keys": [], )" + two,
+               "motion.json:1: a motion has either \"controls\" or \"keys\""),
+        motion("EmptyControls", R"({"motorway": 2, "scheme": "additive", "degree": 1, "controls": []})",
+               "motion.json:1: controls: there are 0"),
+        motion("OneControl", R"({"motorway": 2, "scheme": "additive", "degree": 1, "controls": [{"steps": []}]})",
+               "motion.json:1: controls: there are 1"),
+        motion("CancellingControls",
+               "{\"motorway\": 2, \"scheme\": \"additive\", \"degree\": 1, \"keep_signs\": true, \"controls\": [\n"
+               "{\"steps\": []},\n{\"steps\": []},\n{\"motor\": [-1, 0, 0, 0, 0, 0, 0, 0]}]}",
+               "motion.json:3: controls[1]: "),
+        motion("Version1UnknownKey", "{\"motorway\": 1, \"kind\": \"linear\",\n\"speed\": 2, " + two,
+               "motion.json:2: unknown key \"speed\""),
+        motion("Version1WithAKeyOfVersion2", R"({"motorway": 1, "kind": "linear", "closed": true, )" + two,
+               "motion.json:1: unknown key \"closed\""),
+        motion("Version1NoKind", R"({"motorway": 1, )" + two, "motion.json:1: the key \"kind\" is missing"),
+        motion("Version1UnknownKind", R"({"motorway": 1, "kind": "cubic", )" + two, "motion.json:1: kind: must be"),
+        motion("Version1NoControls", R"({"motorway": 1, "kind": "linear"})",
+               "motion.json:1: the key \"controls\" is missing"),
+        motion("Version1EmptyControls", R"({"motorway": 1, "kind": "linear", "controls": []})",
+               "motion.json:1: controls: holds 0 controls"),
+        motion("Version1OneControl", R"({"motorway": 1, "kind": "bezier", "controls": [{"steps": []}]})",
+               "motion.json:1: controls: holds 1 control"),
+        motion("Version1NoKnots", R"({"motorway": 1, "kind": "bspline", "degree": 1, )" + two,
+               "motion.json:1: the key \"knots\" is missing"),
+        motion("Version1LinearWithKnots", R"({"motorway": 1, "kind": "linear", "knots": [0, 1], )" + two,
+               "motion.json:1: unknown key \"knots\""),
+        motion("Version1CancellingControls", R"({"motorway": 1, "kind": "linear", "controls": [{"steps": []},
                {"motor": [-1, 0, 0, 0, 0, 0, 0, 0]}]})",
-               "motion.json: the motion has no pose at t = 0.5"),
+               "motion.json:1: controls[0]: "),
+    };
+}
+
+std::vector<BadInput> pose_cases()
+{
+    const std::string rotate = R"({"steps": [{"rotate": )";
+    return {
         control("Nan", R"({"steps": [{"translate": [0, NaN, 0]}]})",
                 "motion.json:1: at controls[0].steps[0].translate[1]: not JSON"),
         control("Infinity", "{\"steps\": [\n{\"translate\": [Infinity, 0, 0]}]}",
                 "motion.json:2: at controls[0].steps[0].translate[0]: not JSON"),
         control("NumberBeyondDouble", R"({"steps": [{"translate": [0, 0, 1e999]}]})",
                 "motion.json:1: at controls[0].steps[0].translate[2]: ", "too large"),
-        control("NumberBeyondFloat", R"({"steps": [{"translate": [0, 0, 1e99]}]})",
-                "motion.json: controls[0].steps[0].translate[2]: is too large"),
+        control("NumberBeyondFloat", "{\"steps\": [\n{\"translate\": [0,\n0, 1e99\n]}]}",
+                "motion.json:3: controls[0].steps[0].translate[2]: is too large"),
         control("PoseBeyondFloat", R"({"steps": [{"translate": [3e38, 0, 0]}, {"translate": [3e38, 0, 0]},
                 {"translate": [3e38, 0, 0]}]})",
-                "motion.json: controls[0]: the pose is too large"),
-        control("NotAnObject", "5", "motion.json: controls[0]: must be an object"),
-        control("WithNothing", "{}", "motion.json: controls[0]: "),
-        control("WithBoth", R"({"steps": [], "motor": [1, 0, 0, 0, 0, 0, 0, 0]})", "motion.json: controls[0]: "),
+                "motion.json:1: controls[0]: the pose is too large"),
+        control("NotAnObject", "5", "motion.json:1: controls[0]: must be an object"),
+        control("WithNothing", "{}", "motion.json:1: controls[0]: a pose is one of"),
+        control("WithBoth", R"({"steps": [], "motor": [1, 0, 0, 0, 0, 0, 0, 0]})",
+                "motion.json:1: controls[0]: a pose is one of"),
+        control("OfUnknownForm", "{\n\"euler\": [0, 0, 0]}", "motion.json:2: controls[0]: unknown key \"euler\""),
         control("UnknownStep", R"({"steps": [{"translate": [0, 0, 0]}, {"shear": 1}]})",
-                "motion.json: controls[0].steps[1]: unknown key \"shear\""),
+                "motion.json:1: controls[0].steps[1]: unknown key \"shear\""),
         control("StepWithBoth", R"({"steps": [{"translate": [0, 0, 0], "rotate": {}}]})",
-                "motion.json: controls[0].steps[0]: "),
+                "motion.json:1: controls[0].steps[0]: a step is one"),
         control("TextForANumber", R"({"steps": [{"translate": ["0", 0, 0]}]})",
-                "motion.json: controls[0].steps[0].translate[0]: must be a number"),
+                "motion.json:1: controls[0].steps[0].translate[0]: must be a number"),
         control("NullForAList", R"({"steps": [{"translate": null}]})",
-                "motion.json: controls[0].steps[0].translate: must be a list"),
+                "motion.json:1: controls[0].steps[0].translate: must be a list"),
         control("TwoCoordinates", R"({"steps": [{"translate": [0, 0]}]})",
-                "motion.json: controls[0].steps[0].translate: must hold 3 numbers"),
-        control("SevenCoefficients", R"({"motor": [1, 0, 0, 0, 0, 0, 0]})", "motion.json: controls[0].motor: "),
-        control("NoAngle", rotate + R"({"axis": [0, 0, 1]}}]})", "motion.json: controls[0].steps[0].rotate: needs"),
+                "motion.json:1: controls[0].steps[0].translate: must hold 3 numbers"),
+        control("NoAngle", rotate + R"({"axis": [0, 0, 1]}}]})", "motion.json:1: controls[0].steps[0].rotate: needs"),
         control("TwoAngles", rotate + R"({"axis": [0, 0, 1], "degrees": 1, "radians": 1}}]})",
-                "motion.json: controls[0].steps[0].rotate: needs"),
+                "motion.json:1: controls[0].steps[0].rotate: needs"),
         control("NoAxis", rotate + R"({"degrees": 1}}]})",
-                "motion.json: controls[0].steps[0].rotate: the key \"axis\" is missing"),
+                "motion.json:1: controls[0].steps[0].rotate: the key \"axis\" is missing"),
         control("AxisOfLengthZero", rotate + R"({"axis": [0, 0, 0], "degrees": 1}}]})",
-                "motion.json: controls[0].steps[0].rotate.axis: "),
-        control("AlphaOfZero", R"({"motor": [0, 0, 0, 0, 1, 2, 3, 4]})", "motion.json: controls[0]: "),
-        knots("NoDegree", R"("knots": [0, 0, 1, 2, 2])", "motion.json: the key \"degree\" is missing"),
-        knots("DegreeZero", R"("degree": 0, "knots": [0, 0, 1])", "motion.json: degree: "),
-        knots("DegreeOfAHalf", R"("degree": 1.5, "knots": [0, 0, 1])", "motion.json: degree: must be a whole"),
-        knots("DegreeTooHigh", R"("degree": 32, "knots": [0, 0, 1])", "motion.json: degree: "),
-        knots("DegreeForMoreControls", R"("degree": 4, "knots": [0, 0, 0, 1, 1, 1, 1])", "motion.json: controls: "),
-        knots("NoKnots", R"("degree": 2)", "motion.json: the key \"knots\" is missing"),
-        knots("EmptyKnots", R"("degree": 2, "knots": [])", "motion.json: knots: there are 0"),
-        knots("TooFewKnots", R"("degree": 2, "knots": [0, 0, 1, 2])", "motion.json: knots: there are 4", "needs 5"),
-        knots("TooManyKnots", R"("degree": 2, "knots": [0, 0, 1, 2, 2, 2])", "motion.json: knots: there are 6"),
-        knots("DecreasingKnots", R"("degree": 2, "knots": [0, 0, 2, 1, 2])", "motion.json: knots[3]: "),
-        knots("DomainOfLengthZero", R"("degree": 2, "knots": [1, 1, 1, 1, 1])", "motion.json: knots"),
-        knots("KnotOfText", R"("degree": 2, "knots": [0, 0, "1", 2, 2])", "motion.json: knots[2]: must be a number"),
+                "motion.json:1: controls[0].steps[0].rotate.axis: "),
+        control("AlongInAStep", rotate + R"({"axis": [0, 0, 1], "degrees": 1, "along": 1}}]})",
+                "motion.json:1: controls[0].steps[0].rotate: unknown key \"along\""),
+        control("SevenCoefficients", R"({"motor": [1, 0, 0, 0, 0, 0, 0]})",
+                "motion.json:1: controls[0].motor: must hold 8 numbers"),
+        control("AlphaOfZero", "{\n\"motor\": [0, 0, 0, 0, 1, 2, 3, 4]}", "motion.json:2: controls[0].motor: "),
+        control("MatrixOfTwoRows", R"({"matrix": [[1, 0, 0, 0], [0, 1, 0, 0]]})",
+                "motion.json:1: controls[0].matrix: must hold 3 or 4 rows of 4 numbers, and holds 2"),
+        control("MatrixOfThreeColumns", "{\"matrix\": [[1, 0, 0, 0],\n[0, 1, 0], [0, 0, 1, 0]]}",
+                "motion.json:2: controls[0].matrix[1]: must hold 4 numbers"),
+        control("MatrixThatActsOnRows", R"({"matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [5, 6, 7, 1]]})",
+                "motion.json:1: controls[0].matrix[3]: must be [0, 0, 0, 1]", "transpose"),
+        control("MatrixWithScale", R"({"matrix": [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0]]})",
+                "motion.json:1: controls[0].matrix: its columns deviate by 3 from orthonormal ones"),
+        control("MatrixThatReflects", R"({"matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, 0]]})",
+                "motion.json:1: controls[0].matrix: is a reflection"),
+        control("QuaternionOfThree", R"({"quaternion": [0, 0, 1]})",
+                "motion.json:1: controls[0].quaternion: must hold 4 numbers"),
+        control("QuaternionOfZero", R"({"quaternion": [0, 0, 0, 0], "translation": [1, 0, 0]})",
+                "motion.json:1: controls[0].quaternion: has length zero"),
+        control("QuaternionWithSteps", R"({"quaternion": [0, 0, 0, 1], "translate": [1, 0, 0]})",
+                "motion.json:1: controls[0]: unknown key \"translate\"", "quaternion, translation"),
+        control("TranslationAlone", R"({"translation": [1, 0, 0]})", "motion.json:1: controls[0]: a pose is one of"),
+        control("AxisWithoutAnAngle", R"({"axis": [0, 0, 1], "along": 2})", "motion.json:1: controls[0]: needs"),
+        control("AxisOfZero", R"({"axis": [0, 0, 0], "degrees": 20, "along": 2})",
+                "motion.json:1: controls[0].axis: "),
+        control("AxisWithATranslation", R"({"axis": [0, 0, 1], "degrees": 20, "translation": [1, 0, 0]})",
+                "motion.json:1: controls[0]: unknown key \"translation\"", "translate"),
+    };
+}
+
+std::vector<BadInput> scheme_cases()
+{
+    const std::string additive = R"("scheme": "additive", "degree": 2)";
+    return {
+        scheme("UnknownKey", additive + ", \n\"speed\": 2", "motion.json:3: unknown key \"speed\""),
+        scheme("Unknown", R"("scheme": "spherical")", "motion.json:2: scheme: \"spherical\" is none",
+               "multiplicative"),
+        scheme("OfAnotherType", R"("scheme": 1)", "motion.json:2: scheme: must be a text"),
+        scheme("KindOfVersion1", R"("kind": "linear")", "motion.json:2: unknown key \"kind\""),
+        scheme("NameOfAnotherType", additive + R"(, "name": 5)", "motion.json:2: name: must be a text"),
+        scheme("MeshSizeOfZero", additive + R"(, "mesh_size": 0)", "motion.json:2: mesh_size: must be above 0"),
+        scheme("ClosedOfAnotherType", additive + R"(, "closed": 1)", "motion.json:2: closed: must be true or false"),
+        scheme("KeepSignsOfMultiplicative", R"("scheme": "multiplicative", "degree": 2, "keep_signs": true)",
+               "motion.json:2: keep_signs: "),
+        scheme("BaseOfAdditive", additive + R"(, "base": {"steps": []})", "motion.json:2: base: belongs to"),
+        scheme("BaseOfNoForm", R"("scheme": "generator", "degree": 2, "base": {})", "motion.json:2: base: a pose is"),
+        scheme("BaseWithoutAPose",
+               R"("scheme": "generator", "degree": 2, "base": {"motor": [0, 0, 0, 0, 1, 0, 0, 0]})",
+               "motion.json:2: base.motor: "),
+        scheme("TimesOfControls", additive + R"(, "times": [0, 1, 2, 3])", "motion.json:2: times: belong to keys"),
+        scheme("ControlsOfGeneratorKeys", R"("scheme": "generator_keys")", "motion.json:3: controls: ", "\"keys\""),
+        scheme("WeightsOfMultiplicative", R"("scheme": "multiplicative", "degree": 2, "weights": [1, 1, 1, 1])",
+               "motion.json:2: weights: belong to controls of the additive scheme"),
+        scheme("ThreeWeights", additive + R"(, "weights": [1, 1, 1])",
+               "motion.json:2: weights: holds 3 numbers, and there are 4 poses"),
+        scheme("WeightOfZero", additive + R"(, "weights": [1, 1, 0, 1])", "motion.json:2: weights[2]: "),
+        scheme("NegativeWeight", additive + R"(, "weights": [1, -1, 1, 1])", "motion.json:2: weights[1]: "),
+        knots("NoDegree", R"("knots": [0, 0, 1, 2, 2])", "motion.json:1: the key \"degree\" is missing"),
+        knots("DegreeZero", R"("degree": 0, "knots": [0, 0, 1])", "motion.json:2: degree: "),
+        knots("DegreeOfAHalf", R"("degree": 1.5, "knots": [0, 0, 1])", "motion.json:2: degree: must be a whole"),
+        knots("DegreeTooHigh", R"("degree": 32, "knots": [0, 0, 1])", "motion.json:2: degree: "),
+        knots("DegreeForMoreControls", R"("degree": 4, "knots": [0, 0, 0, 0, 1, 1, 1])",
+              "motion.json:3: controls: there are 4"),
+        knots("Empty", R"("degree": 2, "knots": [])", "motion.json:2: knots: there are 0"),
+        knots("TooFew", R"("degree": 2, "knots": [0, 0, 1, 2])", "motion.json:2: knots: there are 4",
+              "5 are needed (additive motion of degree 2, 4 control poses)"),
+        knots("TooMany", R"("degree": 2, "knots": [0, 0, 1, 2, 2, 2])", "motion.json:2: knots: there are 6"),
+        knots("TooFewIfClosed", R"("degree": 2, "closed": true, "knots": [0, 1, 2, 3])",
+              "motion.json:2: knots: there are 4",
+              "5 are needed (closed additive motion of degree 2, 4 control poses)"),
+        knots("Decreasing", R"("degree": 2, "knots": [0, 0, 2, 1, 2])", "motion.json:2: knots[3]: "),
+        knots("DomainOfLengthZero", R"("degree": 2, "knots": [1, 1, 1, 1, 1])", "motion.json:2: knots["),
+        knots("OfText", R"("degree": 2, "knots": [0, 0, "1", 2, 2])", "motion.json:2: knots[2]: must be a number"),
+        keys("OfMultiplicative", R"("scheme": "multiplicative", "degree": 1)", "motion.json:3: keys: belong to"),
+        keys("OfGenerator", R"("scheme": "generator", "degree": 2)", "motion.json:3: keys: belong to"),
+        keys("WithKnots", R"("scheme": "generator_keys", "knots": [0, 1, 2, 3])", "motion.json:2: knots: belong to"),
+        keys("WithWeights", additive + R"(, "weights": [1, 1, 1, 1])", "motion.json:2: weights: belong to"),
+        keys("Closed", additive + R"(, "times": [0, 1, 2, 3], "closed": true)", "motion.json:2: closed: "),
+        keys("KeepSigns", additive + R"(, "times": [0, 1, 2, 3], "keep_signs": true)", "motion.json:2: keep_signs: "),
+        keys("WithADegree", R"("scheme": "generator_keys", "degree": 2)", "motion.json:2: degree: "),
+        keys("NoTimes", additive, "motion.json:1: the key \"times\" is missing"),
+        keys("TooFewTimes", additive + R"(, "times": [0, 1, 2])",
+             "motion.json:2: times: holds 3 numbers, and there are 4 poses"),
+        keys("TimesThatDoNotIncrease", additive + R"(, "times": [0, 1, 1, 2])", "motion.json:2: times[2]: "),
+        motion(
+            "KeysHalfTurnsApart",
+            "{\"motorway\": 2, \"scheme\": \"cumulative\", \"degree\": 3, \"times\": [0, 1, 2, 3, 4, 5],\n\"keys\": ["
+            R"({"steps": []}, {"axis": [1, 0, 0], "degrees": 170}, {"axis": [0, 1, 0], "degrees": 170},
+               {"axis": [0, 0, 1], "degrees": 170}, {"axis": [1, 0, 0], "degrees": -170},
+               {"axis": [0, 1, 0], "degrees": -170}]})",
+            "motion.json:2: keys: "),
+        keys("DegreeForMoreKeys", R"("scheme": "cumulative", "degree": 4, "times": [0, 1, 2, 3])",
+             "motion.json:3: keys: there are 4"),
+        keys("TooFewTimesOfGenerators", R"("scheme": "generator_keys", "times": [0, 1, 2])",
+             "motion.json:2: times: there are 3", "4 are needed"),
+        keys("TooFewTimesIfClosed", R"("scheme": "generator_keys", "closed": true, "times": [0, 1, 2, 3])",
+             "motion.json:2: times: there are 4", "5 are needed"),
+        keys("TimesOfGeneratorsThatDoNotIncrease", R"("scheme": "generator_keys", "times": [0, 1, 1, 2])",
+             "motion.json:2: times[2]: "),
+    };
+}
+
+std::vector<std::string> sample(std::vector<std::string> more)
+{
+    more.insert(more.begin(), {"sample", "motion.json"});
+    return more;
+}
+
+std::vector<std::string> compare(std::vector<std::string> more)
+{
+    more.insert(more.begin(), {"compare", "motion.json"});
+    return more;
+}
+
+std::vector<BadInput> sample_cases()
+{
+    ToolLimits nonsense, small_disk;
+    nonsense.isa = "pentium";
+    small_disk.largest_file = 200;
+    const std::string even = "--even: ";
+    return {
+        options("SampleNoMotion", {"sample", "--count", "3"}, "", "MOTION"),
+        options("SampleNoCount", sample({}), "", "--count"),
+        options("SampleZero", sample({"--count", "0"}), "--count: 0 will not do"),
+        options("SampleTooMany", sample({"--count", "1000001"}), "--count: 1000001 will not do", "1,000,000"),
+        options("SampleFrameOfNothing", sample({"--count", "3", "--frame", "body"}), "", "--velocity"),
+        options("SampleUnknownFrame", sample({"--count", "3", "--velocity", "--frame", "moon"}), "", "--frame"),
+        options("SampleUnknownFormat", sample({"--count", "3", "--format", "xml"}), "", "--format"),
+        options("SampleEvenOfTwo", sample({"--count", "3", "--even", "1,2"}), even + "\"1,2\" is no point"),
+        options("SampleEvenOfFour", sample({"--count", "3", "--even", "1,2,3,4"}), even + "\"1,2,3,4\" is no point"),
+        options("SampleEvenOfWords", sample({"--count", "3", "--even", "1,two,3"}), even + "\"1,two,3\" is no point"),
+        options("SampleEvenOfNan", sample({"--count", "3", "--even", "1,2,nan"}), even + "\"1,2,nan\" is no point"),
+        options("SampleEvenWithAGap", sample({"--count", "3", "--even", "1,,3"}), even + "\"1,,3\" is no point"),
+        options("SampleMotionMissing", {"sample", "no.json", "--count", "3"}, "no.json: cannot be opened"),
+        options("SampleFolderMissing", sample({"--count", "3", "-o", "nowhere/s.csv"}), "nowhere/s.csv: the folder"),
+        {"SampleIsaThatCannotRun", {}, sample({"--count", "3"}), "MOTORWAY_ISA: ", "", nonsense},
+        {"SampleDiskFull", {}, sample({"--count", "9", "-o", "s.csv"}), "s.csv: cannot be written", "", small_disk},
+    };
+}
+
+std::vector<BadInput> compare_cases()
+{
+    ToolLimits nonsense;
+    nonsense.isa = "pentium";
+    return {
+        options("CompareNoMotion", {"compare", "--mesh", "mesh.obj"}, "", "FIRST"),
+        options("CompareNoMesh", compare({"motion.json"}), "", "--mesh"),
+        options("CompareWithNothing", compare({"--mesh", "mesh.obj"}), "SECOND: give either", "--against"),
+        options("CompareWithBoth", compare({"motion.json", "--against", "generator", "--mesh", "mesh.obj"}),
+                "SECOND: give either"),
+        options("CompareUnknownScheme", compare({"--against", "linear", "--mesh", "mesh.obj"}), "", "--against"),
+        options("CompareKeysOfControls", compare({"--against", "generator_keys", "--mesh", "mesh.obj"}),
+                "motion.json:1: controls: ", "\"keys\""),
+        options("CompareNoSamples", compare({"motion.json", "--mesh", "mesh.obj", "--samples", "0"}), "--samples: "),
+        options("CompareScaleOfZero", compare({"motion.json", "--mesh", "mesh.obj", "--scale", "0"}), "--scale: "),
+        options("CompareScaleBeyondFloat", compare({"motion.json", "--mesh", "mesh.obj", "--scale", "1e300"}),
+                "mesh.obj: is too large"),
+        options("CompareSecondMissing", compare({"no.json", "--mesh", "mesh.obj"}), "no.json: cannot be opened"),
+        options("CompareMeshMissing", compare({"motion.json", "--mesh", "no.obj"}), "no.obj: cannot be opened"),
+        {"CompareIsaThatCannotRun",
+         {},
+         compare({"motion.json", "--mesh", "mesh.obj"}),
+         "MOTORWAY_ISA: ",
+         "",
+         nonsense},
     };
 }
 
@@ -351,7 +536,8 @@ std::vector<BadInput> option_cases()
 std::vector<BadInput> all_cases()
 {
     std::vector<BadInput> all;
-    for (const auto &cases : {obj_cases(), ply_cases(), motion_cases(), option_cases()})
+    for (const auto &cases : {obj_cases(), ply_cases(), motion_cases(), pose_cases(), scheme_cases(), sample_cases(),
+                              compare_cases(), option_cases()})
         all.insert(all.end(), cases.begin(), cases.end());
     return all;
 }

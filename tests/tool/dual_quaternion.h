@@ -7,6 +7,7 @@
 #define MOTORWAY_TESTS_DUAL_QUATERNION_H
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace motorway::tool {
@@ -29,8 +30,34 @@ std::array<double, 8> coefficients(const DualQuaternion &pose);
 DualQuaternion reference_bspline(const std::vector<DualQuaternion> &controls, const std::vector<double> &knots,
                                  unsigned degree, double t);
 
+/* The same pose with |r| = 1 and r · d = 0. */
+DualQuaternion reference_normalized(const DualQuaternion &pose);
+
+/* The screw from one pose to another, the shortest way, by sine and arc tangent. */
+DualQuaternion reference_slerp(const DualQuaternion &from, const DualQuaternion &to, double t);
+
+/* The other schemes, over the paper's knots: the tableau of de Boor (of a Bézier motion: de Casteljau) with slerp;
+ * relative motions, each to the power of a sum of basis functions; blended logarithms relative to a base pose, and
+ * the same along parabolas through the logarithms of three keys at a time, neighbouring ones faded into each other.
+ */
+DualQuaternion reference_multiplicative(const std::vector<DualQuaternion> &controls, const std::vector<double> &knots,
+                                        unsigned degree, double t);
+DualQuaternion reference_cumulative(const std::vector<DualQuaternion> &controls, const std::vector<double> &knots,
+                                    unsigned degree, double t);
+DualQuaternion reference_generator(const std::vector<DualQuaternion> &controls, const std::vector<double> &knots,
+                                   unsigned degree, const DualQuaternion &base, double t);
+DualQuaternion reference_generator_keys(const std::vector<DualQuaternion> &keys, const std::vector<double> &times,
+                                        const DualQuaternion &base, double t);
+
+Vector reference_translation_of(const DualQuaternion &pose);
 Vector reference_point(const DualQuaternion &pose, const Vector &point);
 Vector reference_direction(const DualQuaternion &pose, const Vector &direction);
+
+/* The angular velocity of a motion and the velocity of the origin of its body, by differences. */
+struct Velocity {
+    Vector angular, linear;
+};
+Velocity reference_velocity(const std::function<DualQuaternion(double)> &motion, double t, double step);
 
 /* The control poses of the paper's figure 5, from its formulas. */
 std::vector<DualQuaternion> figure_5_controls();

@@ -42,7 +42,8 @@ TEST(Help, IsEnoughToStart)
     const TemporaryFolder folder;
     const ToolResult result = run_tool(folder.path(), {"--help"});
     EXPECT_EQ(result.exit_code, 0);
-    for (const char *word : {"pose", "info", "--motion", "--frames", "--out", "--picture", "MOTORWAY_ISA"})
+    for (const char *word :
+         {"pose", "sample", "compare", "info", "--motion", "--frames", "--out", "--picture", "MOTORWAY_ISA"})
         EXPECT_NE(result.out.find(word), std::string::npos) << word << "\n" << result.out;
     for (const char *option : {"--motion", "--frames", "--out", "--picture", "--picture-poses", "--scale", "--fps"})
         EXPECT_NE(run_tool(folder.path(), {"pose", "--help"}).out.find(option), std::string::npos) << option;

@@ -107,6 +107,20 @@ TEST(Picture, OfOnePoseIsOne)
     EXPECT_TRUE(is_balanced(svg));
 }
 
+TEST(Picture, NumbersControlsThatHaveNoKnotsToShow)
+{
+    const TemporaryFolder folder;
+    folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    folder.write("keys.json", R"({"motorway": 2, "scheme": "generator_keys", "closed": true, "keys":
+        [{"steps": []}, {"steps": [{"translate": [3, 0, 0]}]}, {"steps": [{"translate": [3, 3, 0]}]}]})");
+    const ToolResult result = run_tool(folder.path(), {"pose", "flat.obj", "--motion", "keys.json", "--frames", "1",
+                                                       "--out", "flat.glb", "--picture", "flat.svg"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::string svg = folder.read("flat.svg");
+    for (const char *words : {">S0<", ">S1<", ">S2<", "Closed generator_keys motion, 3 key poses", "t = 3"})
+        EXPECT_EQ(occurrences(svg, words), 1u) << words;
+}
+
 TEST(Picture, OfAFlatOpenMeshAtRest)
 {
     const TemporaryFolder folder;
@@ -133,6 +147,31 @@ TEST(Colours, AreThoseOfOklch)
     EXPECT_EQ(hex({0, 0, 0}), "#000000");
     EXPECT_EQ(hex({0.627955, 0.257683, 29.2339}), "#ff0000");
     EXPECT_EQ(hex({0.452014, 0.313214, 264.052}), "#0000ff");
+}
+
+TEST(Figures, AreAllWrittenAndSound)
+{
+    const TemporaryFolder folder;
+    const ToolResult result = run_tool(folder.path(), {"figures", "--out", "pictures"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    for (const char *name : {"hunt-figure-1", "hunt-figure-2", "hunt-figure-3", "hunt-figure-4", "hunt-figure-5",
+                             "wareham-figure-5", "wareham-figure-7", "schemes", "speeds"}) {
+        const std::string picture = folder.read(std::string("pictures/") + name + ".svg");
+        EXPECT_TRUE(is_balanced(picture)) << name;
+        EXPECT_GT(occurrences(picture, "<path"), 3u) << name;
+        EXPECT_EQ(picture.find("nan"), std::string::npos) << name;
+        EXPECT_EQ(picture.find("inf"), std::string::npos) << name;
+    }
+    EXPECT_NE(result.out.find("piecewise screw"), std::string::npos) << "the table of lengths and speeds";
+}
+
+TEST(Figures, NeedAFolder)
+{
+    const TemporaryFolder folder;
+    folder.write("file", "");
+    const ToolResult result = run_tool(folder.path(), {"figures", "--out", "file/pictures"});
+    EXPECT_NE(result.exit_code, 0);
+    EXPECT_NE(result.err.find("--out"), std::string::npos) << result.err;
 }
 
 } // namespace

@@ -101,6 +101,27 @@ TEST_P(PoseFrames, AreThoseOfTheReference)
 INSTANTIATE_TEST_SUITE_P(, PoseFrames, ::testing::Values(".obj", ".ply"),
                          [](const auto &kind) { return std::string(kind.param) == ".obj" ? "Obj" : "Ply"; });
 
+/* Frames of a motion that is no additive one: the tableau of de Casteljau with slerp. */
+TEST(Pose, TakesAnyScheme)
+{
+    const TemporaryFolder folder;
+    folder.write("slerps.json", R"({"motorway": 2, "scheme": "multiplicative", "degree": 2, "mesh_size": 1.5,
+        "controls": [{"steps": []}, {"axis": [1, 2, 0], "degrees": 80, "translate": [3, 0, 1]},
+                     {"axis": [0, 0, 1], "degrees": 150, "translate": [4, 4, 0]}]})");
+    const ToolResult result =
+        run_tool(folder.path(), {"pose", BUNNY, "--motion", "slerps.json", "--frames", "5", "--out", "frame.ply"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("multiplicative motion of degree 2, 3 control poses"), std::string::npos) << result.out;
+    const std::vector<DualQuaternion> controls = {
+        reference_translation({0, 0, 0}),
+        reference_sequence({reference_rotation({1, 2, 0}, 80), reference_translation({3, 0, 1})}),
+        reference_sequence({reference_rotation({0, 0, 1}, 150), reference_translation({4, 4, 0})})};
+    for (std::size_t frame = 0; frame < 5; ++frame)
+        expect_posed(read_mesh((folder.path() / frame_name(frame, ".ply")).string()), rest_bunny(),
+                     reference_multiplicative(controls, {0, 0, 1, 1}, 2, static_cast<double>(frame) / 4),
+                     "frame " + std::to_string(frame));
+}
+
 TEST(Pose, ScalesOnlyAsAsked)
 {
     const TemporaryFolder folder;

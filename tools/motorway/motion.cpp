@@ -1,39 +1,107 @@
 #include "motion.h"
 
 #include <algorithm>
+#include <array>
 
 #include "error.h"
 #include "status.h"
-#include "text.h"
 
 namespace motorway::tool {
 
-std::vector<float> even_parameters(const Motion &motion, std::size_t count)
+mw_status Motion::compile(std::size_t *where)
 {
-    const double start = motion.start(), end = motion.end();
-    std::vector<float> parameters(count);
+    mw_motion_f64 motion = {};
+    motion.kind = kind;
+    motion.degree = degree;
+    motion.controls = controls.data();
+    motion.control_count = controls.size();
+    motion.knots = knots.data();
+    motion.knot_count = knots.size();
+    motion.weights = weights.empty() ? nullptr : weights.data();
+    motion.closed = closed;
+    motion.base = base ? &*base : nullptr;
+    std::size_t size = 0;
+    const mw_status status = mw_motion_size_f64(&size, &motion, where);
+    if (status != MW_OK)
+        return status;
+    memory.resize((size + sizeof memory[0] - 1) / sizeof memory[0]);
+    const mw_compiled_motion_f64 *result = nullptr;
+    return mw_compile_motion_f64(&result, memory.data(), memory.size() * sizeof memory[0], &motion,
+                                 keep_signs ? MW_KEEP_SIGNS : MW_DEFAULT, where);
+}
+
+static std::array<double, 2> domain(const Motion &motion)
+{
+    std::array<double, 2> ends;
+    check(mw_motion_domain_f64(ends.data(), motion.compiled()), "the domain of a motion");
+    return ends;
+}
+
+double Motion::start() const
+{
+    return domain(*this)[0];
+}
+
+double Motion::end() const
+{
+    return domain(*this)[1];
+}
+
+const char *scheme_name(mw_motion_kind kind)
+{
+    switch (kind) {
+    case MW_MOTION_ADDITIVE:
+        return "additive";
+    case MW_MOTION_MULTIPLICATIVE:
+        return "multiplicative";
+    case MW_MOTION_CUMULATIVE:
+        return "cumulative";
+    case MW_MOTION_GENERATOR:
+        return "generator";
+    case MW_MOTION_GENERATOR_KEYS:
+        return "generator_keys";
+    }
+    return "unknown";
+}
+
+std::vector<double> even_parameters(const Motion &motion, std::size_t count)
+{
+    const auto [start, end] = domain(motion);
+    std::vector<double> parameters(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double share = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.0;
-        parameters[i] = std::clamp(static_cast<float>(start + share * (end - start)), motion.start(), motion.end());
+        parameters[i] = std::clamp((1 - share) * start + share * end, start, end);
     }
     return parameters;
 }
 
-std::vector<mw_motor_f32> sample(const Motion &motion, const std::vector<float> &parameters, const std::string &where)
+std::vector<mw_motor_f64> sample(const Motion &motion, const std::vector<double> &parameters,
+                                 const std::string &where)
 {
-    std::vector<mw_motor_f32> motors(parameters.size());
-    const mw_bspline_f32 spline = motion.spline();
-    check(mw_sample_bspline_f32(mw_motors_f32_aos(motors.data(), sizeof motors[0]), &spline, parameters.data(),
-                                parameters.size()),
+    std::vector<mw_motor_f64> motors(parameters.size());
+    check(mw_sample_motion_one_f64(mw_motors_f64_aos(motors.data(), sizeof motors[0]), motion.compiled(), 0,
+                                   parameters.data(), parameters.size(), MW_DEFAULT),
           where);
-    std::size_t bad = 0;
-    const mw_status status =
-        mw_check_motors_f32(mw_const_motors_f32_aos(motors.data(), sizeof motors[0]), motors.size(), &bad);
-    if (status == MW_ERROR_DEGENERATE_MOTOR)
-        throw Error(where, "the motion has no pose at t = " + brief(static_cast<double>(parameters[bad])) +
-                               ", where its controls cancel; give neighbouring controls the same sign");
-    check(status, where);
+    normalize(motors);
     return motors;
+}
+
+void normalize(std::vector<mw_motor_f64> &motors)
+{
+    check(mw_normalize_motor_each_f64(mw_motors_f64_aos(motors.data(), sizeof motors[0]),
+                                      mw_const_motors_f64_aos(motors.data(), sizeof motors[0]), motors.size()),
+          "normalised motors");
+}
+
+std::vector<mw_motor_f32> rounded(const std::vector<mw_motor_f64> &motors)
+{
+    std::vector<mw_motor_f32> floats(motors.size());
+    const auto narrow = [](double component) { return static_cast<float>(component); };
+    std::transform(motors.begin(), motors.end(), floats.begin(), [&](const mw_motor_f64 &m) {
+        return mw_motor_f32{narrow(m.s),   narrow(m.b12), narrow(m.b13), narrow(m.b23),
+                            narrow(m.b1i), narrow(m.b2i), narrow(m.b3i), narrow(m.w)};
+    });
+    return floats;
 }
 
 std::vector<float> trace(const std::vector<mw_motor_f32> &motors, const float point[3])

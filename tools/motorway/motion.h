@@ -1,7 +1,9 @@
-/* A motion as the tool uses it: the arrays of a B-spline, and what its file says besides. */
+/* A motion as the tool uses it: what its file says, and that compiled by the library. */
 #ifndef MOTORWAY_TOOL_MOTION_H
 #define MOTORWAY_TOOL_MOTION_H
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,24 +14,43 @@ namespace motorway::tool {
 
 struct Motion {
     std::string name; /* for people; may be empty */
-    unsigned degree = 0;
-    std::vector<float> knots;
-    std::vector<mw_motor_f32> controls;
+    mw_motion_kind kind = MW_MOTION_ADDITIVE;
+    unsigned degree = 1;
+    std::vector<mw_motor_f64> controls;
+    std::vector<double> knots;   /* empty: the library's own */
+    std::vector<double> weights; /* empty: none */
+    bool closed = false;
+    bool keep_signs = false;
+    std::optional<mw_motor_f64> base;
     std::optional<double> mesh_size; /* what the longest side of a mesh's bounding box should be */
 
-    /* The library's view of it; valid as long as this object. */
-    mw_bspline_f32 spline() const { return {controls.data(), controls.size(), knots.data(), knots.size(), degree}; }
+    /* What the library makes of all that; compile() fills it, and *where is as in mw_compile_motion. */
+    std::vector<std::uint64_t> memory;
+    mw_status compile(std::size_t *where);
+    const mw_compiled_motion_f64 *compiled() const
+    {
+        return reinterpret_cast<const mw_compiled_motion_f64 *>(memory.data());
+    }
 
-    float start() const { return knots[degree - 1]; }
-    float end() const { return knots[controls.size() - 1]; }
+    /* The ends of the domain. */
+    double start() const;
+    double end() const;
 };
 
-/* `count` parameters spread evenly over the domain, both ends included; one alone is the start. */
-std::vector<float> even_parameters(const Motion &motion, std::size_t count);
+/* The name of a scheme, as in motion files: "generator_keys". */
+const char *scheme_name(mw_motion_kind kind);
 
-/* The motors at these parameters. Throws an Error that names `where` if one of them is degenerate. */
-std::vector<mw_motor_f32> sample(const Motion &motion, const std::vector<float> &parameters,
+/* `count` parameters spread evenly over the domain, both ends included; one alone is the start. */
+std::vector<double> even_parameters(const Motion &motion, std::size_t count);
+
+/* The normalised motors at these parameters. Throws an Error that names `where`. */
+std::vector<mw_motor_f64> sample(const Motion &motion, const std::vector<double> &parameters,
                                  const std::string &where);
+
+void normalize(std::vector<mw_motor_f64> &motors);
+
+/* Motors for meshes, whose coordinates are floats. */
+std::vector<mw_motor_f32> rounded(const std::vector<mw_motor_f64> &motors);
 
 /* The paths of the points F_S(p) for each of the motors, as x y z. */
 std::vector<float> trace(const std::vector<mw_motor_f32> &motors, const float point[3]);

@@ -1,84 +1,109 @@
 #include "motion_file.h"
 
-#include <cmath>
+#include <algorithm>
+#include <iterator>
 
 #include "error.h"
 #include "files.h"
 #include "json_field.h"
+#include "pose_field.h"
 #include "status.h"
+#include "summary.h"
+#include "text.h"
 
 namespace motorway::tool {
 namespace {
 
-constexpr double PI = 3.14159265358979323846;
+constexpr long long VERSION = 2;
 
-mw_motor_f64 read_rotation(const Field &rotation)
-{
-    rotation.check_object({"axis", "degrees", "radians", "through"});
-    const std::vector<double> axis = rotation["axis"].numbers(3);
-    if (rotation.has("degrees") == rotation.has("radians"))
-        throw rotation.error("needs either \"degrees\" or \"radians\"; give one of them");
-    const double angle =
-        rotation.has("degrees") ? rotation["degrees"].number() * (PI / 180) : rotation["radians"].number();
-    const std::vector<double> point =
-        rotation.has("through") ? rotation["through"].numbers(3) : std::vector<double>(3, 0.0);
-    mw_motor_f64 motor;
-    const mw_status status = mw_rotation_f64(&motor, axis.data(), angle, point.data());
-    if (status == MW_ERROR_AXIS)
-        throw rotation["axis"].error(mw_status_text(status));
-    check(status, "a rotation");
-    return motor;
-}
+/* -------------------------------------------------------------------------------- other versions and schemes --- */
 
-mw_motor_f64 read_step(const Field &step)
+/* Files of version 1 hold additive motions whose controls keep their signs, as files of version 2. */
+void upgrade(Document &document)
 {
-    step.check_object({"rotate", "translate"});
-    if (step.has("rotate") == step.has("translate"))
-        throw step.error("a step is one \"rotate\" or one \"translate\"; write a step for each");
-    if (step.has("rotate"))
-        return read_rotation(step["rotate"]);
-    mw_motor_f64 motor;
-    check(mw_translation_f64(&motor, step["translate"].numbers(3).data()), "a translation");
-    return motor;
-}
-
-/* The first step acts first: the paper's product R T, read from left to right. */
-mw_motor_f64 read_steps(const Field &steps)
-{
-    mw_motor_f64 pose = {1, 0, 0, 0, 0, 0, 0, 0};
-    for (const Field &field : steps.array()) {
-        const mw_motor_f64 step = read_step(field);
-        mw_motor_f64 both;
-        check(mw_compose_motor_each_f64(mw_motors_f64_aos(&both, sizeof both),
-                                        mw_const_motors_f64_aos(&pose, sizeof pose),
-                                        mw_const_motors_f64_aos(&step, sizeof step), 1),
-              "a product of motors");
-        pose = both;
+    const Field root(document);
+    const std::string kind = root["kind"].string();
+    nlohmann::json &value = document.value;
+    if (kind == "bspline") {
+        root.check_object({"motorway", "name", "mesh_size", "kind", "degree", "knots", "controls"});
+        static_cast<void>(root["knots"]); /* which version 2 does without */
+    } else if (kind == "bezier" || kind == "linear") {
+        root.check_object({"motorway", "name", "mesh_size", "kind", "controls"});
+        const std::size_t count = root["controls"].array().size();
+        if (count < 2 || (kind == "bezier" && count > MW_MAX_DEGREE + 1))
+            throw root["controls"].error("holds " + counted(count, "control") + ", and a motion needs 2 or more" +
+                                         (count < 2 ? "; add some"
+                                                    : ", if it is a Bézier motion at most " +
+                                                          std::to_string(MW_MAX_DEGREE + 1) + "; use a B-spline"));
+        value["degree"] = kind == "linear" ? 1 : count - 1;
+    } else {
+        throw root["kind"].error("must be \"bspline\", \"bezier\" or \"linear\"; correct it");
     }
-    return pose;
+    value.erase("kind");
+    value["scheme"] = "additive";
+    value["keep_signs"] = true;
+    value["motorway"] = VERSION;
 }
 
-mw_motor_f64 read_motor(const Field &field)
+/* What says how the old scheme works, and the new one does not take, goes with it. */
+void change_scheme(Document &document, const std::string &scheme)
 {
-    const std::vector<double> c = field.numbers(8);
-    return {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
+    document.value["scheme"] = scheme;
+    if (scheme != scheme_name(MW_MOTION_GENERATOR) && scheme != scheme_name(MW_MOTION_GENERATOR_KEYS))
+        document.value.erase("base");
+    if (scheme == scheme_name(MW_MOTION_GENERATOR_KEYS))
+        document.value.erase("degree");
+    if (scheme == scheme_name(MW_MOTION_MULTIPLICATIVE))
+        document.value.erase("keep_signs");
 }
 
-mw_motor_f32 read_control(const Field &control)
+/* ------------------------------------------------------------------------------------------------ the fields --- */
+
+mw_motion_kind read_scheme(const Field &scheme)
 {
-    control.check_object({"steps", "motor"});
-    if (control.has("steps") == control.has("motor"))
-        throw control.error("a control pose is either \"steps\" or a \"motor\"; give one of them");
-    const mw_motor_f64 wide = control.has("steps") ? read_steps(control["steps"]) : read_motor(control["motor"]);
-    const mw_motor_f32 motor = {
-        static_cast<float>(wide.s),   static_cast<float>(wide.b12), static_cast<float>(wide.b13),
-        static_cast<float>(wide.b23), static_cast<float>(wide.b1i), static_cast<float>(wide.b2i),
-        static_cast<float>(wide.b3i), static_cast<float>(wide.w),
-    };
-    for (float component : {motor.s, motor.b12, motor.b13, motor.b23, motor.b1i, motor.b2i, motor.b3i, motor.w})
-        if (!std::isfinite(component))
-            throw control.error("the pose is too large for floats; use smaller lengths");
-    return motor;
+    constexpr mw_motion_kind KINDS[] = {MW_MOTION_ADDITIVE, MW_MOTION_MULTIPLICATIVE, MW_MOTION_CUMULATIVE,
+                                        MW_MOTION_GENERATOR, MW_MOTION_GENERATOR_KEYS};
+    const std::string name = scheme.string();
+    const auto found = std::find_if(std::begin(KINDS), std::end(KINDS),
+                                    [&](mw_motion_kind kind) { return name == scheme_name(kind); });
+    if (found == std::end(KINDS))
+        throw scheme.error(in_quotes(name) + " is none; it is additive, multiplicative, cumulative, generator or "
+                                             "generator_keys");
+    return *found;
+}
+
+/* Keys that an additive or cumulative motion is made to pass through, by solving for its controls. */
+bool is_solved(const Field &root, mw_motion_kind kind)
+{
+    return root.has("keys") && kind != MW_MOTION_GENERATOR_KEYS;
+}
+
+void refuse(const Field &root, const char *key, bool refused, const char *why)
+{
+    if (refused && root.has(key))
+        throw root[key].error(why);
+}
+
+/* Keys that some schemes take and others do not. */
+void check_keys(const Field &root, mw_motion_kind kind)
+{
+    const bool through_keys = root.has("keys");
+    const bool by_generators = kind == MW_MOTION_GENERATOR || kind == MW_MOTION_GENERATOR_KEYS;
+    if (kind == MW_MOTION_GENERATOR_KEYS)
+        refuse(root, "controls", true, "of this scheme the poses are \"keys\", which it passes through; rename them");
+    if (through_keys == root.has("controls"))
+        throw root.error("a motion has either \"controls\" or \"keys\"; give one of them");
+    refuse(root, "keys", kind == MW_MOTION_MULTIPLICATIVE || kind == MW_MOTION_GENERATOR,
+           "belong to the schemes additive, cumulative and generator_keys; give \"controls\"");
+    refuse(root, "knots", through_keys, "belong to controls; \"times\" belong to keys");
+    refuse(root, "times", !through_keys, "belong to keys; \"knots\" belong to controls");
+    refuse(root, "degree", kind == MW_MOTION_GENERATOR_KEYS, "this scheme has none; leave it out");
+    refuse(root, "weights", kind != MW_MOTION_ADDITIVE || through_keys,
+           "belong to controls of the additive scheme; leave them out");
+    refuse(root, "base", !by_generators, "belongs to the schemes generator and generator_keys; leave it out");
+    refuse(root, "closed", is_solved(root, kind), "of keys only generator_keys is closed; leave it out");
+    refuse(root, "keep_signs", is_solved(root, kind), "keys go the shortest way; leave it out");
+    refuse(root, "keep_signs", kind == MW_MOTION_MULTIPLICATIVE, "this scheme goes the shortest way; leave it out");
 }
 
 unsigned read_degree(const Field &degree)
@@ -89,72 +114,103 @@ unsigned read_degree(const Field &degree)
     return static_cast<unsigned>(value);
 }
 
-/* Degree and knots: written out for a B-spline, implied by the number of controls for the other kinds. */
-void read_scheme(const Field &root, Motion &motion)
+/* One number for each of `count` poses. */
+std::vector<double> read_numbers_of_poses(const Field &numbers, std::size_t count)
 {
-    const std::string kind = root["kind"].string();
+    std::vector<double> values = numbers.numbers();
+    if (values.size() != count)
+        throw numbers.error("holds " + counted(values.size(), "number") + ", and there are " +
+                            counted(count, "pose") + "; give one for each");
+    return values;
+}
+
+/* ------------------------------------------------------------------------------ what the library makes of it --- */
+
+std::size_t needed_knots(const Motion &motion)
+{
     const std::size_t count = motion.controls.size();
-    if (kind == "bspline") {
-        root.check_object({"motorway", "name", "mesh_size", "kind", "degree", "knots", "controls"});
-        motion.degree = read_degree(root["degree"]);
-        for (const Field &knot : root["knots"].array())
-            motion.knots.push_back(static_cast<float>(knot.number()));
-        return;
-    }
-    if (kind != "bezier" && kind != "linear")
-        throw root["kind"].error("must be \"bspline\", \"bezier\" or \"linear\"; correct it");
-    root.check_object({"motorway", "name", "mesh_size", "kind", "controls"});
-    if (count < 2)
-        throw root["controls"].error("holds " + std::to_string(count) + ", and a motion needs 2 or more; add some");
-    if (kind == "linear") {
-        motion.degree = 1;
-        for (std::size_t i = 0; i < count; ++i)
-            motion.knots.push_back(static_cast<float>(i));
-        return;
-    }
-    if (count - 1 > MW_MAX_DEGREE)
-        throw root["controls"].error(mw_status_text(MW_ERROR_DEGREE));
-    motion.degree = static_cast<unsigned>(count - 1);
-    motion.knots.assign(motion.degree, 0.0f);
-    motion.knots.insert(motion.knots.end(), motion.degree, 1.0f);
+    if (motion.closed)
+        return count + 1;
+    return motion.kind == MW_MOTION_GENERATOR_KEYS ? count : count + motion.degree - 1;
 }
 
 /* The library says what is wrong; this says which field it means. */
-void check_spline(const Motion &motion, const Field &root)
+void check_motion(mw_status status, std::size_t where, const Motion &motion, const Field &root)
 {
-    const mw_bspline_f32 spline = motion.spline();
-    std::size_t where = 0;
-    const mw_status status = mw_check_bspline_f32(&spline, &where);
+    const char *const poses = root.has("keys") ? "keys" : "controls";
+    const char *const knots = root.has("keys") ? "times" : "knots";
     const std::string text = mw_status_text(status);
     switch (status) {
     case MW_ERROR_CONTROL_COUNT:
-        throw root["controls"].error("there are " + std::to_string(spline.control_count) + ": " + text);
+        throw root[poses].error("there are " + std::to_string(motion.controls.size()) + ": " + text);
     case MW_ERROR_KNOT_COUNT:
-        throw root["knots"].error("there are " + std::to_string(spline.knot_count) + ", and degree " +
-                                  std::to_string(motion.degree) + " with " + std::to_string(spline.control_count) +
-                                  " controls needs " + std::to_string(spline.control_count + motion.degree - 1) +
-                                  ": " + text);
+        throw root[knots].error("there are " + std::to_string(motion.knots.size()) + ", and " +
+                                std::to_string(needed_knots(motion)) + " are needed (" + description(motion) +
+                                "): " + text);
     case MW_ERROR_KNOTS:
-        throw root["knots"].array().at(where).error(text);
-    case MW_ERROR_DEGENERATE_MOTOR:
-        throw root["controls"].array().at(where).error(text);
+        throw root[knots].array().at(where).error(text);
+    case MW_ERROR_WEIGHTS:
+        throw root["weights"].array().at(where).error(text);
+    case MW_ERROR_VANISHING:
+        throw root[poses].array().at(where).error(text);
+    case MW_ERROR_CONVERGENCE:
+        throw root[poses].error(text);
     default:
         check(status, "the motion");
     }
 }
 
-} // namespace
-
-Motion parse_motion(const std::string &contents, const std::string &path)
+/* The keys are in motion.controls, their times in motion.knots; both become those of the motion. */
+mw_status solve(Motion &motion, std::size_t *where)
 {
-    const nlohmann::json document = parse_json(contents, path);
-    const Field root(document, path);
-    root.check_object({"motorway", "name", "mesh_size", "kind", "degree", "knots", "controls"});
-    if (root["motorway"].integer() != 1)
-        throw root["motorway"].error("unknown version of the motion format; this tool reads version 1");
-    Motion motion;
+    const std::vector<mw_motor_f64> keys = motion.controls;
+    const std::vector<double> times = motion.knots;
+    motion.knots.resize(keys.size() + motion.degree - 1);
+    mw_motion_f64 result;
+    const mw_motion_arrays_f64 arrays = {motion.controls.data(), keys.size(), motion.knots.data(),
+                                         motion.knots.size()};
+    const auto call = [&](void *memory, std::size_t *size) {
+        return mw_interpolate_keys_f64(&result, arrays, motion.kind, motion.degree, keys.data(), times.data(),
+                                       keys.size(), memory, size, where);
+    };
+    std::size_t size = 0;
+    const mw_status status = call(nullptr, &size);
+    if (status != MW_OK)
+        return status;
+    std::vector<std::uint64_t> memory((size + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
+    size = memory.size() * sizeof memory[0];
+    return call(memory.data(), &size);
+}
+
+/* The fields of poses and knots, and what becomes of them. */
+void read_course(const Field &root, Motion &motion)
+{
+    const bool through_keys = root.has("keys");
     motion.controls.reserve(1); /* so that none at all is a wrong number to the library, and not a null pointer */
-    motion.knots.reserve(1);
+    for (const mw_motor_f64 &pose : read_poses(root[through_keys ? "keys" : "controls"]))
+        motion.controls.push_back(pose);
+    if (motion.kind != MW_MOTION_GENERATOR_KEYS)
+        motion.degree = read_degree(root["degree"]);
+    std::size_t where = 0;
+    if (is_solved(root, motion.kind)) {
+        motion.knots = read_numbers_of_poses(root["times"], motion.controls.size());
+        const mw_status status = solve(motion, &where);
+        check_motion(status, where, motion, root);
+        motion.keep_signs = true; /* of the controls that were solved for */
+    } else if (const char *knots = through_keys ? "times" : "knots"; root.has(knots)) {
+        motion.knots = root[knots].numbers();
+        if (motion.knots.empty()) /* which to the library is none given */
+            check_motion(MW_ERROR_KNOT_COUNT, 0, motion, root);
+    }
+    const mw_status status = motion.compile(&where);
+    check_motion(status, where, motion, root);
+}
+
+Motion read_fields(const Field &root)
+{
+    root.check_object({"motorway", "name", "mesh_size", "scheme", "degree", "controls", "knots", "weights", "keys",
+                       "times", "closed", "keep_signs", "base"});
+    Motion motion;
     if (root.has("name"))
         motion.name = root["name"].string();
     if (root.has("mesh_size")) {
@@ -162,16 +218,37 @@ Motion parse_motion(const std::string &contents, const std::string &path)
         if (!(*motion.mesh_size > 0))
             throw root["mesh_size"].error("must be above 0; correct it");
     }
-    for (const Field &control : root["controls"].array())
-        motion.controls.push_back(read_control(control));
-    read_scheme(root, motion);
-    check_spline(motion, root);
+    motion.kind = read_scheme(root["scheme"]);
+    check_keys(root, motion.kind);
+    motion.closed = root.has("closed") && root["closed"].boolean();
+    motion.keep_signs = root.has("keep_signs") && root["keep_signs"].boolean();
+    if (root.has("base"))
+        motion.base = read_pose(root["base"]);
+    if (root.has("weights"))
+        motion.weights = read_numbers_of_poses(root["weights"], root["controls"].array().size());
+    read_course(root, motion);
     return motion;
 }
 
-Motion read_motion(const std::string &path)
+} // namespace
+
+Motion parse_motion(const std::string &contents, const std::string &path, const std::string &scheme)
 {
-    return parse_motion(read_file(path), path);
+    Document document = parse_json(contents, path);
+    const Field root(document);
+    const Field version = root["motorway"];
+    if (version.integer() == 1)
+        upgrade(document);
+    else if (version.integer() != VERSION)
+        throw version.error("unknown version of the motion format; this tool reads versions 1 and 2");
+    if (!scheme.empty())
+        change_scheme(document, scheme);
+    return read_fields(root);
+}
+
+Motion read_motion(const std::string &path, const std::string &scheme)
+{
+    return parse_motion(read_file(path), path, scheme);
 }
 
 } // namespace motorway::tool

@@ -222,7 +222,7 @@ void append_vectors(std::string &text, const char *keyword, const std::vector<fl
         text += keyword;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             text += ' ';
-            append_float(text, vectors[i + axis]);
+            append_number(text, vectors[i + axis]);
         }
         text += '\n';
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -9,6 +10,7 @@
 #include "colour.h"
 #include "pose.h"
 #include "simplify.h"
+#include "summary.h"
 #include "svg.h"
 #include "text.h"
 
@@ -98,12 +100,12 @@ std::vector<double> travelled(const Mesh &mesh, const std::vector<mw_motor_f32> 
 
 /* `count` parameters, both ends included, between which the mesh travels about equally far: a motion that dawdles
  * would otherwise pile its figures up. */
-std::vector<float> evenly_travelled_parameters(const Mesh &mesh, const Motion &motion, std::size_t count,
-                                               const std::string &path)
+std::vector<double> evenly_travelled_parameters(const Mesh &mesh, const Motion &motion, std::size_t count,
+                                                const std::string &path)
 {
-    const std::vector<float> fine = even_parameters(motion, 1000);
-    const std::vector<double> distances = travelled(mesh, sample(motion, fine, path));
-    std::vector<float> parameters = even_parameters(motion, count);
+    const std::vector<double> fine = even_parameters(motion, 1000);
+    const std::vector<double> distances = travelled(mesh, rounded(sample(motion, fine, path)));
+    std::vector<double> parameters = even_parameters(motion, count);
     for (std::size_t i = 1; i + 1 < count; ++i) {
         const double wanted = distances.back() * static_cast<double>(i) / static_cast<double>(count - 1);
         const auto reached = std::lower_bound(distances.begin(), distances.end(), wanted);
@@ -114,11 +116,11 @@ std::vector<float> evenly_travelled_parameters(const Mesh &mesh, const Motion &m
 
 std::vector<Figure> pose_figures(const Mesh &mesh, const Motion &motion, std::size_t count, const std::string &path)
 {
-    const std::vector<float> parameters = evenly_travelled_parameters(mesh, motion, count, path);
-    const std::vector<mw_motor_f32> motors = sample(motion, parameters, path);
+    const std::vector<double> parameters = evenly_travelled_parameters(mesh, motion, count, path);
+    const std::vector<mw_motor_f32> motors = rounded(sample(motion, parameters, path));
     std::vector<Figure> figures(count);
     for (std::size_t i = 0; i < count; ++i) {
-        figures[i].share = static_cast<double>((parameters[i] - motion.start()) / (motion.end() - motion.start()));
+        figures[i].share = (parameters[i] - motion.start()) / (motion.end() - motion.start());
         pose_mesh(figures[i].pose, mesh, motors[i]);
         check_finite(figures[i].pose, path);
         figures[i].pose.normals = vertex_normals(mesh, figures[i].pose.normals);
@@ -151,9 +153,10 @@ std::vector<std::array<Vec3, 4>> control_frames(const Motion &motion, double len
 {
     const float size = static_cast<float>(length);
     const float tips[4][3] = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}};
-    std::vector<std::array<Vec3, 4>> frames(motion.controls.size());
+    const std::vector<mw_motor_f32> controls = rounded(motion.controls);
+    std::vector<std::array<Vec3, 4>> frames(controls.size());
     for (std::size_t k = 0; k < 4; ++k) {
-        const std::vector<float> path = trace(motion.controls, tips[k]);
+        const std::vector<float> path = trace(controls, tips[k]);
         for (std::size_t i = 0; i < frames.size(); ++i)
             frames[i][k] = vector_at(path, i);
     }
@@ -167,7 +170,7 @@ Scene make_scene(const Mesh &whole, const Motion &motion, std::size_t pose_count
     scene.closed = is_closed(whole); /* then only about half of the triangles face the eye */
     const Mesh mesh = simplified(whole, (scene.closed ? 2 : 1) * MOST_DRAWN / pose_count);
     scene.figures = pose_figures(mesh, motion, pose_count, path);
-    scene.path = trace(sample(motion, even_parameters(motion, PATH_STEPS + 1), path), ORIGIN);
+    scene.path = trace(rounded(sample(motion, even_parameters(motion, PATH_STEPS + 1), path)), ORIGIN);
     scene.simplified = mesh.face_count() < whole.face_count();
     scene.triangles = triangles(mesh);
     for (Triangle &triangle : scene.triangles)
@@ -380,14 +383,15 @@ void draw_shapes(Svg &svg, std::vector<Shape> &shapes)
 
 /* ---------------------------------------------------------------------------------- control poses and caption --- */
 
-/* The blossom's name of control i: S of the knots that it belongs to. */
+/* The blossom's name of control i, S of the knots that it belongs to; where there are none to show, its number. */
 std::string control_name(const Motion &motion, std::size_t i)
 {
-    std::string name = "S(";
-    if (motion.degree > 4)
+    const bool has_blossom = motion.kind == MW_MOTION_ADDITIVE || motion.kind == MW_MOTION_MULTIPLICATIVE;
+    if (!has_blossom || motion.knots.empty() || motion.closed || motion.degree > 4)
         return "S" + std::to_string(i);
+    std::string name = "S(";
     for (unsigned k = 0; k < motion.degree; ++k)
-        name += (k ? ", " : "") + brief(static_cast<double>(motion.knots[i + k]));
+        name += (k ? ", " : "") + brief(motion.knots[i + k]);
     return name + ")";
 }
 
@@ -414,8 +418,8 @@ void draw_controls(Svg &svg, const Scene &scene, const Motion &motion, const Cam
 
 void draw_caption(Svg &svg, const Scene &scene, const Mesh &mesh, const Motion &motion)
 {
-    const std::string what = "Additive motion of degree " + std::to_string(motion.degree) + ", " +
-                             std::to_string(motion.controls.size()) + " control poses";
+    std::string what = description(motion);
+    what[0] = static_cast<char>(std::toupper(what[0]));
     svg.text({60, 74}, "font-size:30px;font-weight:600;fill:#1f2540", motion.name.empty() ? what : motion.name);
     svg.text({60, 106}, "font-size:19px;fill:#5b6479",
              (motion.name.empty() ? "" : what + " · ") + counted(mesh.vertex_count(), "vertex") + " at " +
@@ -431,8 +435,8 @@ void draw_caption(Svg &svg, const Scene &scene, const Mesh &mesh, const Motion &
         svg.add("<circle cx=\"" + svg_number(LEFT + 5 + figure.share * (RIGHT - LEFT - 10)) + "\" cy=\"" +
                 svg_number(TOP + 5) + "\" r=\"3\" fill=\"#fff\"/>");
     const std::string style = "font-size:17px;fill:#5b6479;text-anchor:";
-    svg.text({LEFT, TOP + 32}, style + "start", "t = " + brief(static_cast<double>(motion.start())));
-    svg.text({RIGHT, TOP + 32}, style + "end", "t = " + brief(static_cast<double>(motion.end())));
+    svg.text({LEFT, TOP + 32}, style + "start", "t = " + brief(motion.start()));
+    svg.text({RIGHT, TOP + 32}, style + "end", "t = " + brief(motion.end()));
 }
 
 void draw_background(Svg &svg)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "error.h"
@@ -16,7 +15,9 @@
 #include "ply.h"
 #include "pose.h"
 #include "progress.h"
+#include "scaling.h"
 #include "status.h"
+#include "summary.h"
 #include "text.h"
 
 namespace fs = std::filesystem;
@@ -51,8 +52,7 @@ void check_options(const PoseOptions &options)
     if (kind != ".glb" && kind != ".obj" && kind != ".ply")
         throw Error("--out",
                     in_quotes(options.out) + " has an unknown extension; the tool writes .glb, .obj and .ply");
-    if (options.scale && !(std::isfinite(*options.scale) && *options.scale > 0))
-        throw Error("--scale", "must be above 0 and finite; correct it");
+    check_scale(options.scale);
     if (!(std::isfinite(options.frames_per_second) && options.frames_per_second > 0))
         throw Error("--fps", "must be above 0 and finite; correct it");
     if (options.picture_poses < 1 || options.picture_poses > MOST_PICTURE_POSES)
@@ -66,30 +66,6 @@ void check_options(const PoseOptions &options)
                                              : numbered(options.out, 0, static_cast<std::size_t>(options.frames)));
     if (!options.picture.empty())
         OutputFiles::check(options.picture);
-}
-
-struct Scaling {
-    double factor;
-    std::string reason; /* for the summary */
-};
-
-Scaling choose_scale(const PoseOptions &options, const Motion &motion, const Mesh &mesh)
-{
-    if (options.scale)
-        return {*options.scale, "--scale"};
-    const double side = bounding_box(mesh).longest_side();
-    if (motion.mesh_size && side > 0)
-        return {*motion.mesh_size / side, "the motion file wants a mesh of size " + brief(*motion.mesh_size)};
-    return {1.0, ""};
-}
-
-void scale_mesh(Mesh &mesh, double factor, const std::string &path)
-{
-    for (float &coordinate : mesh.positions) {
-        coordinate = static_cast<float>(coordinate * factor);
-        if (!std::isfinite(coordinate))
-            throw Error(path, "is too large for floats when it is scaled by " + brief(factor) + "; use less");
-    }
 }
 
 /* Poses every frame once: measures its edges and, unless the output is an animation, writes it. */
@@ -113,54 +89,6 @@ double pose_frames(OutputFiles &out, const PoseOptions &options, const Mesh &mes
     return deviation;
 }
 
-void print_line(const char *label, const std::string &text)
-{
-    std::printf("%-9s %s\n", label, text.c_str());
-}
-
-void print_mesh(const PoseOptions &options, const Mesh &mesh, const Scaling &scaling)
-{
-    print_line("mesh", options.mesh);
-    print_line("", counted(mesh.vertex_count(), "vertex") + ", " + counted(mesh.face_count(), "face"));
-    if (!scaling.reason.empty())
-        print_line("", "scaled by " + precise(scaling.factor) + " (" + scaling.reason + ")");
-    std::string left_out;
-    for (const std::string &item : mesh.left_out)
-        left_out += (left_out.empty() ? "left out: " : ", ") + item;
-    if (!left_out.empty())
-        print_line("", left_out);
-}
-
-void print_motion(const PoseOptions &options, const Motion &motion)
-{
-    print_line("motion", options.motion);
-    if (!motion.name.empty())
-        print_line("", motion.name);
-    print_line("", "degree " + std::to_string(motion.degree) + ", " +
-                       counted(motion.controls.size(), "control pose") + ", t from " +
-                       brief(static_cast<double>(motion.start())) + " to " +
-                       brief(static_cast<double>(motion.end())));
-}
-
-/* A few files by name, a long sequence by its ends. */
-void print_files(const std::vector<OutputFiles::File> &files)
-{
-    constexpr std::size_t FEW = 4;
-    const char *label = "written";
-    std::uintmax_t total = 0;
-    for (std::size_t k = 0; k < files.size(); ++k) {
-        total += files[k].bytes;
-        if (files.size() > FEW && k == 1)
-            print_line("", "...");
-        if (files.size() > FEW && k > 0 && k + 2 < files.size())
-            continue;
-        print_line(label, files[k].path + "  " + byte_size(files[k].bytes));
-        label = "";
-    }
-    if (files.size() > FEW)
-        print_line("", counted(files.size(), "file") + ", " + byte_size(total));
-}
-
 } // namespace
 
 void run_pose(const PoseOptions &options)
@@ -168,11 +96,11 @@ void run_pose(const PoseOptions &options)
     check_options(options);
     const Motion motion = read_motion(options.motion);
     Mesh mesh = read_mesh(options.mesh);
-    const Scaling scaling = choose_scale(options, motion, mesh);
+    const Scaling scaling = choose_scale(options.scale, motion, mesh);
     scale_mesh(mesh, scaling.factor, options.mesh);
     add_missing_normals(mesh);
     const std::vector<mw_motor_f32> motors =
-        sample(motion, even_parameters(motion, static_cast<std::size_t>(options.frames)), options.motion);
+        rounded(sample(motion, even_parameters(motion, static_cast<std::size_t>(options.frames)), options.motion));
     const std::vector<Edge> mesh_edges = edges(mesh);
 
     OutputFiles out;
@@ -185,8 +113,8 @@ void run_pose(const PoseOptions &options)
     const Speed speed = measure_speed(mesh, motors);
     out.commit();
 
-    print_mesh(options, mesh, scaling);
-    print_motion(options, motion);
+    print_mesh(options.mesh, mesh, scaling);
+    print_motion("motion", options.motion, motion);
     print_line("frames", grouped(static_cast<std::uint64_t>(motors.size())));
     print_line("ISA", mw_isa());
     const double millions = speed.vertices_per_second / 1e6;

@@ -41,10 +41,20 @@ std::optional<std::int64_t> parse_integer(std::string_view word)
     return value;
 }
 
-void append_float(std::string &text, float value)
+template <class T> static void append_shortest(std::string &text, T value)
 {
     char digits[32];
     text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
+void append_number(std::string &text, float value)
+{
+    append_shortest(text, value);
+}
+
+void append_number(std::string &text, double value)
+{
+    append_shortest(text, value);
 }
 
 std::string grouped(std::uint64_t value)
@@ -60,17 +70,18 @@ std::string grouped(double value)
     return grouped(static_cast<std::uint64_t>(std::llround(value)));
 }
 
-std::string brief(double value)
+std::string brief(double value, int digits)
 {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.3g", value);
-    return digits;
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
 }
 
 std::string precise(double value)
 {
-    char digits[32];
-    return std::string(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+    std::string text;
+    append_number(text, value);
+    return text;
 }
 
 std::string byte_size(std::uintmax_t bytes)

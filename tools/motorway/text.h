@@ -16,15 +16,16 @@ std::optional<float> parse_float(std::string_view word);
 std::optional<double> parse_double(std::string_view word);
 std::optional<std::int64_t> parse_integer(std::string_view word);
 
-/* The shortest text that reads back as the same float. */
-void append_float(std::string &text, float value);
+/* The shortest text that reads back as the same number. */
+void append_number(std::string &text, float value);
+void append_number(std::string &text, double value);
 
 /* 12345678 as 12,345,678; a rounded double likewise. */
 std::string grouped(std::uint64_t value);
 std::string grouped(double value);
 
-/* 3 significant digits: 0.00125, 3.55e-07. */
-std::string brief(double value);
+/* Significant digits: 0.00125, 3.55e-07. */
+std::string brief(double value, int digits = 3);
 
 /* As many digits as it takes to read back the same number. */
 std::string precise(double value);

@@ -1,0 +1,86 @@
+// mw_sample_motion_...: poses and twists of compiled motions.
+#include "sample.h"
+
+#include "../elements.h"
+
+namespace motorway {
+
+namespace {
+
+template <class T> using compiled_type = typename c_types<T>::compiled;
+
+// No output shares a byte with the compiled motion.
+template <class T, int N> mw_status check_apart_from(const compiled<T> &motion, const view<T, N> &out, std::size_t count)
+{
+    return meets_a_component(out, count, motion.range()) ? MW_ERROR_OVERLAP : MW_OK;
+}
+
+template <class T, class... Views>
+mw_status check_sample(const outputs<Views...> &out, const compiled_type<T> *motion, const numbers<T> &parameters,
+                       std::size_t count, const motion_samples<T> &samples)
+{
+    mw_status status = check_streams(out, count, parameters);
+    std::apply(
+        [&](const auto &...each) {
+            ((status = status != MW_OK ? status : check_apart_from(compiled_of<T>(motion), each, count)), ...);
+        },
+        out);
+    if (status != MW_OK)
+        return status;
+    return samples.are_sound() ? MW_OK : MW_ERROR_PARAMETER;
+}
+
+template <class T, int... N>
+mw_status sample(const outputs<view<T, N>...> &out, const compiled_type<T> *motion, motions_sampled which,
+                 std::size_t index, const numbers<T> &parameters, std::size_t count, unsigned flags)
+{
+    mw_status status =
+        check_motion_call<T>(motion, which, index, count, flags, sizeof...(N) == 2 ? MW_BODY_FRAME : MW_DEFAULT);
+    if (status != MW_OK || count == 0)
+        return status;
+    const motion_samples<T> samples(compiled_of<T>(motion), which, index, parameters, count, flags);
+    status = check_sample<T>(out, motion, parameters, count, samples);
+    if (status != MW_OK)
+        return status;
+    if constexpr (sizeof...(N) == 1)
+        samples.sample(std::get<0>(out));
+    else
+        samples.sample_twist(std::get<0>(out), std::get<1>(out));
+    return MW_OK;
+}
+
+} // namespace
+} // namespace motorway
+
+using namespace motorway;
+
+#define MOTORWAY_SAMPLE(P, T)                                                                                         \
+    mw_status mw_sample_motion_one_##P(mw_motors_##P out, const mw_compiled_motion_##P *motion, size_t index,         \
+                                       const T *parameters, size_t count, unsigned flags)                             \
+    {                                                                                                                 \
+        return sample<T>(to(view_of_motors<T>(out)), motion, motions_sampled::one, index,                             \
+                         numbers<T>{parameters, sizeof(T)}, count, flags);                                            \
+    }                                                                                                                 \
+    mw_status mw_sample_motion_each_##P(mw_motors_##P out, const mw_compiled_motion_##P *motion, size_t index,        \
+                                        const T *parameters, size_t parameter_stride, size_t count, unsigned flags)   \
+    {                                                                                                                 \
+        return sample<T>(to(view_of_motors<T>(out)), motion, motions_sampled::each, index,                            \
+                         numbers<T>{parameters, parameter_stride}, count, flags);                                     \
+    }                                                                                                                 \
+    mw_status mw_sample_motion_twist_one_##P(mw_motors_##P out, mw_bivectors_##P twists,                              \
+                                             const mw_compiled_motion_##P *motion, size_t index, const T *parameters, \
+                                             size_t count, unsigned flags)                                            \
+    {                                                                                                                 \
+        return sample<T>(to(view_of_motors<T>(out), elements_of(twists).part[0]), motion, motions_sampled::one,      \
+                         index, numbers<T>{parameters, sizeof(T)}, count, flags);                                     \
+    }                                                                                                                 \
+    mw_status mw_sample_motion_twist_each_##P(mw_motors_##P out, mw_bivectors_##P twists,                             \
+                                              const mw_compiled_motion_##P *motion, size_t index,                     \
+                                              const T *parameters, size_t parameter_stride, size_t count,             \
+                                              unsigned flags)                                                         \
+    {                                                                                                                 \
+        return sample<T>(to(view_of_motors<T>(out), elements_of(twists).part[0]), motion, motions_sampled::each,     \
+                         index, numbers<T>{parameters, parameter_stride}, count, flags);                              \
+    }
+MOTORWAY_SAMPLE(f32, float)
+MOTORWAY_SAMPLE(f64, double)

@@ -1,0 +1,62 @@
+#include "summary.h"
+
+#include <cstdio>
+
+#include "text.h"
+
+namespace motorway::tool {
+
+std::string description(const Motion &motion)
+{
+    std::string words = std::string(motion.closed ? "closed " : "") + scheme_name(motion.kind) + " motion";
+    if (motion.kind == MW_MOTION_GENERATOR_KEYS)
+        return words + ", " + counted(motion.controls.size(), "key pose");
+    words += " of degree " + std::to_string(motion.degree) + ", " + counted(motion.controls.size(), "control pose");
+    return words + (motion.weights.empty() ? "" : " with weights");
+}
+
+void print_line(const char *label, const std::string &text)
+{
+    std::printf("%-9s %s\n", label, text.c_str());
+}
+
+void print_mesh(const std::string &path, const Mesh &mesh, const Scaling &scaling)
+{
+    print_line("mesh", path);
+    print_line("", counted(mesh.vertex_count(), "vertex") + ", " + counted(mesh.face_count(), "face"));
+    if (!scaling.reason.empty())
+        print_line("", "scaled by " + precise(scaling.factor) + " (" + scaling.reason + ")");
+    std::string left_out;
+    for (const std::string &item : mesh.left_out)
+        left_out += (left_out.empty() ? "left out: " : ", ") + item;
+    if (!left_out.empty())
+        print_line("", left_out);
+}
+
+void print_motion(const char *label, const std::string &path, const Motion &motion)
+{
+    print_line(label, path);
+    if (!motion.name.empty())
+        print_line("", motion.name);
+    print_line("", description(motion) + ", t from " + brief(motion.start()) + " to " + brief(motion.end()));
+}
+
+void print_files(const std::vector<OutputFiles::File> &files)
+{
+    constexpr std::size_t FEW = 4;
+    const char *label = "written";
+    std::uintmax_t total = 0;
+    for (std::size_t k = 0; k < files.size(); ++k) {
+        total += files[k].bytes;
+        if (files.size() > FEW && k == 1)
+            print_line("", "...");
+        if (files.size() > FEW && k > 0 && k + 2 < files.size())
+            continue;
+        print_line(label, files[k].path + "  " + byte_size(files[k].bytes));
+        label = "";
+    }
+    if (files.size() > FEW)
+        print_line("", counted(files.size(), "file") + ", " + byte_size(total));
+}
+
+} // namespace motorway::tool
