@@ -24,10 +24,21 @@ template <class T> struct api;
         using motors = mw_motors_##P;                                                                                \
         using const_motors = mw_const_motors_##P;                                                                    \
         using weights = mw_weights_##P;                                                                              \
+        using bivectors = mw_bivectors_##P;                                                                          \
+        using motion = mw_motion_##P;                                                                                \
+        using compiled_motion = mw_compiled_motion_##P;                                                              \
+        static constexpr auto motors_aos = mw_motors_##P##_aos;                                                      \
         static constexpr auto const_motors_aos = mw_const_motors_##P##_aos;                                          \
         static constexpr auto compose_motor_hierarchy = mw_compose_motor_hierarchy_##P;                              \
         static constexpr auto blend_motor_one = mw_blend_motor_one_##P;                                              \
         static constexpr auto blend_motor_each = mw_blend_motor_each_##P;                                            \
+        static constexpr auto slerp_motor_each = mw_slerp_motor_each_##P;                                            \
+        static constexpr auto motion_size = mw_motion_size_##P;                                                      \
+        static constexpr auto compile_motion = mw_compile_motion_##P;                                                \
+        static constexpr auto sample_motion_one = mw_sample_motion_one_##P;                                          \
+        static constexpr auto sample_motion_each = mw_sample_motion_each_##P;                                        \
+        static constexpr auto sample_motion_twist_one = mw_sample_motion_twist_one_##P;                              \
+        static constexpr auto sample_motion_twist_each = mw_sample_motion_twist_each_##P;                            \
     };
 MOTORWAY_API(float, f32)
 MOTORWAY_API(double, f64)
@@ -46,6 +57,7 @@ using f64 = double;
         static constexpr auto each = mw_apply_##name##_each_##P;                                                     \
         static constexpr auto grid = mw_apply_##name##_grid_##P;                                                     \
         static constexpr auto indexed = mw_apply_##name##_indexed_##P;                                               \
+        static constexpr auto motion = mw_apply_##name##_motion_##P;                                                 \
     };
 MW_OPERANDS(MOTORWAY_APPLY_FUNCTIONS, f32)
 MW_OPERANDS(MOTORWAY_APPLY_FUNCTIONS, f64)

@@ -92,16 +92,28 @@ template <class T> T ratio_w(const motor<T> &m, const motor<T> &n)
            p.b1i * q.b23;
 }
 
-// By weights: sin((1-t)θ) / sin θ and sin(tθ) / sin θ, with the dual angle θ between the two.
-template <class T> motor<T> slerp(const motor<T> &first, const motor<T> &second, T t)
+// The dual angle θ between two motors: what slerp needs of them at every parameter.
+template <class T> struct angle_between {
+    T cosine, sign, square, sine, inverse, angle, turn; // `turn` is the dual part
+
+    angle_between(const motor<T> &first, const motor<T> &second)
+    {
+        const T s = ratio_s(first, second);
+        cosine = std::abs(s), sign = std::copysign(T(1), s);
+        square = (1 - cosine) * (1 + cosine);
+        sine = std::sqrt(square), inverse = 1 / sine;
+        angle = std::acos(cosine), turn = -sign * ratio_w(first, second) * inverse;
+    }
+};
+
+// By weights: sin((1-t)θ) / sin θ and sin(tθ) / sin θ.
+template <class T> motor<T> slerp(const motor<T> &first, const motor<T> &second, const angle_between<T> &between, T t)
 {
-    const T s = ratio_s(first, second), cosine = std::abs(s), sign = std::copysign(T(1), s);
-    const T x = (1 - cosine) * (1 + cosine);
-    if (x < small_square<T>) // here the derivatives of the weights would be differences of all but equal numbers
+    const auto &[cosine, sign, square, sine, inverse, angle, turn] = between;
+    if (square < small_square<T>) // here the derivatives of the weights would be differences of all but equal numbers
         return product(first, exp(scaled(t, T(0), log(product(reverse(first), second)))));
-    const T sine = std::sqrt(x), inverse = 1 / sine, part = t * std::acos(cosine);
+    const T part = t * angle;
     const T c = std::cos(part), b = std::sin(part) * inverse, a = c - cosine * b;
-    const T turn = -sign * ratio_w(first, second) * inverse; // the dual part of the angle
     const T slope_b = (t * c - cosine * b) * inverse * turn;
     const T slope_a = (1 - t) * sine * b * turn - cosine * slope_b;
     const bivector<T> p = scaled(a, slope_a, first.b), q = scaled(sign * b, sign * slope_b, second.b);
@@ -109,6 +121,27 @@ template <class T> motor<T> slerp(const motor<T> &first, const motor<T> &second,
             {p.b12 + q.b12, p.b13 + q.b13, p.b23 + q.b23, p.b1i + q.b1i, p.b2i + q.b2i, p.b3i + q.b3i},
             a * first.w + slope_a * first.s + sign * (b * second.w + slope_b * second.s)};
 }
+
+template <class T> motor<T> slerp(const motor<T> &first, const motor<T> &second, T t)
+{
+    return slerp(first, second, angle_between<T>(first, second), t);
+}
+
+// De Casteljau's tableau by slerp. The angles between the controls may be known.
+template <class T> struct bezier {
+    const motor<T> *control;
+    angle_between<T> angle[motion_degree];
+
+    explicit bezier(const motor<T> *c) : control(c), angle{{c[0], c[1]}, {c[1], c[2]}, {c[2], c[3]}} {}
+
+    motor<T> at(T t) const
+    {
+        const motor<T> a = slerp(control[0], control[1], angle[0], t), b = slerp(control[1], control[2], angle[1], t),
+                       c = slerp(control[2], control[3], angle[2], t);
+        return slerp(slerp(a, b, t), slerp(b, c, t), t);
+    }
+};
+static_assert(motion_degree == 3, "the tableau is written out");
 
 // Element i of the result from number i.
 template <class Element, class T> Element *elements_of(const array<T> &a)
@@ -141,6 +174,16 @@ template <class T> work bind_libm(const problem<T> &p)
         return for_each_element<motor<T>>(
             p, [first = elements_of<const motor<T>>(p.in[0]), second = elements_of<const motor<T>>(p.in[1]),
                 t = elements_of<const T>(p.in[2])](std::size_t i) { return slerp(first[i], second[i], t[i]); });
+    const auto *const controls = reinterpret_cast<const motor<T> *>(p.controls.data());
+    if (p.kernel == "sample_multiplicative_one")
+        return for_each_element<motor<T>>(
+            p, [motion = bezier<T>(controls), t = elements_of<const T>(p.in[0])](std::size_t i) {
+                return motion.at(t[i]);
+            });
+    if (p.kernel == "sample_multiplicative_each")
+        return for_each_element<motor<T>>(p, [controls, t = elements_of<const T>(p.in[0])](std::size_t i) {
+            return bezier<T>(controls + bezier_controls * i).at(t[i]);
+        });
     return {};
 }
 

@@ -2,6 +2,7 @@
 // made beforehand; those of an element in arrays of the same layout.
 #include "baseline_plain.h"
 
+#include "motions.h"
 #include "rigid.h"
 
 #include <algorithm>
@@ -92,12 +93,45 @@ std::array<double, 12> matrix(const rigid &r)
     return m;
 }
 
+// The weights of the controls of a span, as polynomials of the place within it by ascending powers: the blossom
+// recursion, run backwards from the result.
+std::array<std::array<double, 4>, 4> weight_polynomials(const std::vector<double> &knots, std::size_t span)
+{
+    static_assert(motion_degree == 3 && PLAIN_CONTROLS == spline_controls);
+    std::array<std::array<double, 4>, 4> weights{{{1}}};
+    const std::size_t begin = span + motion_degree - 1;
+    const double length = knots[begin + 1] - knots[begin];
+    for (std::size_t level = 1; level <= motion_degree; ++level)
+        for (std::size_t k = level; k-- > 0;) {
+            const double left = knots[begin + 1 + k - level], right = knots[begin + 1 + k];
+            const double ratio = (knots[begin] - left) / (right - left), slope = length / (right - left);
+            const auto whole = weights[k];
+            for (std::size_t power = 0; power < 4; ++power) {
+                const double later = ratio * whole[power] + (power ? slope * whole[power - 1] : 0);
+                weights[k + 1][power] += later;
+                weights[k][power] -= later;
+            }
+        }
+    return weights;
+}
+
+template <class T> std::vector<T> all_weight_polynomials()
+{
+    const std::vector<double> knots = motion_knots<double>(spline_controls);
+    std::vector<T> all;
+    for (std::size_t span = 0; span < PLAIN_SPANS; ++span)
+        for (const auto &polynomial : weight_polynomials(knots, span))
+            for (double coefficient : polynomial)
+                all.push_back(static_cast<T>(coefficient));
+    return all;
+}
+
 // What a loop runs on, beside the elements and the results of the problem.
 template <class T, class M> struct operands {
     std::vector<array<T>> duals; // converted inputs, and the output behind them if it is to be converted back
     std::vector<array<M>> rigids;
     std::vector<T *const *> in;
-    std::vector<M> fixed;
+    std::vector<M> fixed, controls, polynomials;
     typename plain<T, M>::arguments arguments{};
 };
 
@@ -123,11 +157,26 @@ template <class T> array<T> array_like(const array<T> &other, const problem<T> &
     return {other.components(), other.stride() / sizeof(T), p.kind, p.elements, place};
 }
 
+template <class T> std::vector<T> dual_quaternions_of(const std::vector<T> &motors)
+{
+    std::array<T, 8> motor;
+    std::vector<T> duals;
+    duals.reserve(motors.size());
+    for (auto first = motors.begin(); first != motors.end(); first += motor.size()) {
+        std::copy_n(first, motor.size(), motor.begin());
+        for (T component : dual_quaternion_of(motor))
+            duals.push_back(component);
+    }
+    return duals;
+}
+
+// Whether many motions are sampled at one parameter.
+template <class T> bool is_shared(const problem<T> &p) { return p.in.empty() && !p.controls.empty(); }
+
 template <class T> void prepare_motors(operands<T, T> &o, const problem<T> &p)
 {
     constexpr std::size_t components = 8;
     std::size_t place = components;
-    o.duals.reserve(p.in.size() + 1);
     for (const auto &in : p.in) {
         if (in.components() == components) {
             o.duals.push_back(array_like(in, p, place));
@@ -137,11 +186,17 @@ template <class T> void prepare_motors(operands<T, T> &o, const problem<T> &p)
             o.in.push_back(in.component()); // weights
         place += in.components();
     }
-    for (std::size_t first = 0; first < p.fixed.size(); first += components) {
-        std::array<T, components> motor;
-        std::copy_n(p.fixed.begin() + static_cast<std::ptrdiff_t>(first), components, motor.begin());
-        for (T component : dual_quaternion_of(motor))
-            o.fixed.push_back(component);
+    o.fixed = dual_quaternions_of(p.fixed);
+    o.controls = dual_quaternions_of(p.controls);
+    if (!o.controls.empty())
+        o.polynomials = all_weight_polynomials<T>();
+    for (std::size_t k = 0; is_shared(p) && k < spline_controls; ++k) {
+        o.duals.push_back(array_like(p.out[0], p, place));
+        o.in.push_back(o.duals.back().component());
+        place += components;
+        for (std::size_t i = 0; i < p.elements; ++i)
+            for (std::size_t c = 0; c < components; ++c)
+                o.duals.back().at(c, i) = o.controls[components * (spline_controls * i + k) + c];
     }
     o.duals.push_back(array_like(p.out[0], p, 0));
     o.arguments.out = o.duals.back().component();
@@ -184,6 +239,9 @@ template <class T, class M> work bind_plain(const plain_table &table, const prob
     o->arguments.fixed = o->fixed.data();
     o->arguments.indices = p.indices.data();
     o->arguments.parents = p.parents.data();
+    o->arguments.controls = o->controls.data();
+    o->arguments.polynomials = o->polynomials.data();
+    o->arguments.parameter = static_cast<M>(shared_parameter);
     o->arguments.count = p.count;
     return make_work([=] { loop(&o->arguments); }, publish_results);
 }

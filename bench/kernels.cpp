@@ -2,6 +2,7 @@
 
 #include "api.h"
 #include "call.h"
+#include "motions.h"
 
 #include <algorithm>
 #include <memory>
@@ -209,6 +210,7 @@ bench::arguments hierarchy_arguments()
 {
     bench::arguments result{{operand::motor}, {operand::motor}};
     result.joints = skeleton_joints;
+    result.natural_count = skeletons;
     return result;
 }
 
@@ -244,13 +246,20 @@ std::vector<kernel_row> listed_rows()
     };
 }
 
-// A skeleton is no kernel of the list: a product a joint, which is one of them.
+// Skeletons and motions are no kernels of the list, but made of them.
 std::vector<kernel_row> all_rows()
 {
     std::vector<kernel_row> rows = listed_rows();
-    const auto product = std::find_if(rows.begin(), rows.end(),
-                                      [](const kernel_row &row) { return row.name == "compose_motor_each"; });
-    rows.push_back(make_row(compose_motor_hierarchy, "compose", "compose_motor_hierarchy", product->operations));
+    const auto operations_of = [&](const std::string &name) {
+        const auto has_name = [&](const kernel_row &row) { return row.name == name; };
+        return std::find_if(rows.begin(), rows.end(), has_name)->operations;
+    };
+    const std::size_t product = operations_of("compose_motor_each");
+    const std::vector<kernel_row> motions =
+        motion_rows({product, operations_of("exp_motor_each"), operations_of("slerp_motor_each"),
+                     operations_of("apply_point_one")});
+    rows.push_back(make_row(compose_motor_hierarchy, "compose", "compose_motor_hierarchy", product));
+    rows.insert(rows.end(), motions.begin(), motions.end());
     return rows;
 }
 

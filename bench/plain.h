@@ -25,7 +25,11 @@
     X(reverse_motor_each)                                                                                            \
     X(normalize_motor_each)                                                                                          \
     X(blend_motor_one)                                                                                               \
-    X(blend_motor_each)
+    X(blend_motor_each)                                                                                              \
+    X(sample_additive_one)                                                                                           \
+    X(sample_additive_one_random)                                                                                    \
+    X(sample_additive_each)                                                                                          \
+    X(sample_additive_each_shared)
 
 /* Arrays are given by the pointers to their components: all of them in soa, of which packed and strided loops use the
  * first alone. T is what elements are made of, W what rigid motions are made of and what is computed in. Nothing may
@@ -38,6 +42,9 @@
         const W *fixed;          /* what all elements share: matrices, or dual quaternions */                        \
         const uint16_t *indices; /* of every element's matrix */                                                     \
         const int32_t *parents;  /* of the joints of a skeleton */                                                   \
+        const W *controls;       /* of motions, motion after motion: dual quaternions */                             \
+        const W *polynomials;    /* of each span those of the weights of its controls, by ascending powers */        \
+        W parameter;             /* that all motions share */                                                        \
         size_t count;                                                                                                \
     };                                                                                                               \
     typedef void (*plain_loop_##precision)(const struct plain_arguments_##precision *arguments);                     \
@@ -74,5 +81,8 @@ enum { PLAIN_JOINTS = 64 };
 
 /* Terms of a blend. The loops know it, so that compilers can unroll. */
 enum { PLAIN_TERMS = 4 };
+
+/* Controls and spans of a motion of degree 3 over [0, 1]. Spans are equally long. */
+enum { PLAIN_CONTROLS = 16, PLAIN_SPANS = PLAIN_CONTROLS - 3 };
 
 #endif

@@ -261,6 +261,17 @@ LOOP(normalize_motor_each, (DUALS_OF(a->out), DUALS_OF(a->in[0]), a->count),
 }
 
 #define BLEND(k, a, b, c, d) DUAL(out, k, i) = w0 * (a) + w1 * (b) + w2 * (c) + w3 * (d)
+#define BLEND_DUALS(a, b, c, d)                                                                                      \
+    {                                                                                                                \
+        BLEND(0, DUAL(a, 0, i), DUAL(b, 0, i), DUAL(c, 0, i), DUAL(d, 0, i));                                        \
+        BLEND(1, DUAL(a, 1, i), DUAL(b, 1, i), DUAL(c, 1, i), DUAL(d, 1, i));                                        \
+        BLEND(2, DUAL(a, 2, i), DUAL(b, 2, i), DUAL(c, 2, i), DUAL(d, 2, i));                                        \
+        BLEND(3, DUAL(a, 3, i), DUAL(b, 3, i), DUAL(c, 3, i), DUAL(d, 3, i));                                        \
+        BLEND(4, DUAL(a, 4, i), DUAL(b, 4, i), DUAL(c, 4, i), DUAL(d, 4, i));                                        \
+        BLEND(5, DUAL(a, 5, i), DUAL(b, 5, i), DUAL(c, 5, i), DUAL(d, 5, i));                                        \
+        BLEND(6, DUAL(a, 6, i), DUAL(b, 6, i), DUAL(c, 6, i), DUAL(d, 6, i));                                        \
+        BLEND(7, DUAL(a, 7, i), DUAL(b, 7, i), DUAL(c, 7, i), DUAL(d, 7, i));                                        \
+    }
 
 LOOP(blend_motor_one, (DUALS_OF(a->out), WEIGHTS_OF(a->in[0]), a->fixed, a->count),
      DUALS(REAL, out), WEIGHTS(const REAL, weight), const REAL *controls, size_t count)
@@ -291,18 +302,98 @@ LOOP(blend_motor_each, (DUALS_OF(a->out), WEIGHTS_OF(a->in[0]), DUALS_OF(a->in[1
     for (size_t i = 0; i < count; ++i) {
         const REAL w0 = WEIGHT(weight, 0, i), w1 = WEIGHT(weight, 1, i);
         const REAL w2 = WEIGHT(weight, 2, i), w3 = WEIGHT(weight, 3, i);
-        BLEND(0, DUAL(a, 0, i), DUAL(b, 0, i), DUAL(c, 0, i), DUAL(d, 0, i));
-        BLEND(1, DUAL(a, 1, i), DUAL(b, 1, i), DUAL(c, 1, i), DUAL(d, 1, i));
-        BLEND(2, DUAL(a, 2, i), DUAL(b, 2, i), DUAL(c, 2, i), DUAL(d, 2, i));
-        BLEND(3, DUAL(a, 3, i), DUAL(b, 3, i), DUAL(c, 3, i), DUAL(d, 3, i));
-        BLEND(4, DUAL(a, 4, i), DUAL(b, 4, i), DUAL(c, 4, i), DUAL(d, 4, i));
-        BLEND(5, DUAL(a, 5, i), DUAL(b, 5, i), DUAL(c, 5, i), DUAL(d, 5, i));
-        BLEND(6, DUAL(a, 6, i), DUAL(b, 6, i), DUAL(c, 6, i), DUAL(d, 6, i));
-        BLEND(7, DUAL(a, 7, i), DUAL(b, 7, i), DUAL(c, 7, i), DUAL(d, 7, i));
+        BLEND_DUALS(a, b, c, d)
     }
 }
 
+/* Cubic B-spline motions. The span of a parameter t; the weights of the four controls there, the first of which has
+ * the number of the span; and their sum. */
+#define SPAN_OF(t) NAME(span_of)(t)
+static int NAME(span_of)(REAL t)
+{
+    const int span = (int)(t * PLAIN_SPANS);
+    return span < PLAIN_SPANS ? span : PLAIN_SPANS - 1;
+}
+#define WEIGHTS_IN(polynomials, span, t)                                                                             \
+    const REAL u = (t) * PLAIN_SPANS - (REAL)(span);                                                                 \
+    const REAL w0 = CUBIC((polynomials), u), w1 = CUBIC((polynomials) + 4, u);                                       \
+    const REAL w2 = CUBIC((polynomials) + 8, u), w3 = CUBIC((polynomials) + 12, u);
+#define CUBIC(c, u) ((((c)[3] * (u) + (c)[2]) * (u) + (c)[1]) * (u) + (c)[0])
+#define BLEND_ROWS(c)                                                                                                \
+    BLEND(0, (c)[0], (c)[8], (c)[16], (c)[24]);                                                                      \
+    BLEND(1, (c)[1], (c)[9], (c)[17], (c)[25]);                                                                      \
+    BLEND(2, (c)[2], (c)[10], (c)[18], (c)[26]);                                                                     \
+    BLEND(3, (c)[3], (c)[11], (c)[19], (c)[27]);                                                                     \
+    BLEND(4, (c)[4], (c)[12], (c)[20], (c)[28]);                                                                     \
+    BLEND(5, (c)[5], (c)[13], (c)[21], (c)[29]);                                                                     \
+    BLEND(6, (c)[6], (c)[14], (c)[22], (c)[30]);                                                                     \
+    BLEND(7, (c)[7], (c)[15], (c)[23], (c)[31]);
+
+/* Sorted parameters: span after span. */
+LOOP(sample_additive_one, (DUALS_OF(a->out), a->in[0][0], a->controls, a->polynomials, a->count),
+     DUALS(REAL, out), const REAL *restrict parameter, const REAL *controls, const REAL *polynomials, size_t count)
+{
+    for (size_t i = 0; i < count;) {
+        const int span = SPAN_OF(parameter[i]);
+        REAL c[32], p[16];
+        for (int k = 0; k < 32; ++k)
+            c[k] = controls[8 * span + k];
+        for (int k = 0; k < 16; ++k)
+            p[k] = polynomials[16 * span + k];
+        size_t end = i;
+        while (end < count && SPAN_OF(parameter[end]) == span)
+            ++end;
+        for (; i < end; ++i) {
+            WEIGHTS_IN(p, span, parameter[i])
+            BLEND_ROWS(c)
+        }
+    }
+}
+
+LOOP(sample_additive_one_random, (DUALS_OF(a->out), a->in[0][0], a->controls, a->polynomials, a->count),
+     DUALS(REAL, out), const REAL *restrict parameter, const REAL *restrict controls,
+     const REAL *restrict polynomials, size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        const int span = SPAN_OF(parameter[i]);
+        const REAL *c = controls + 8 * span;
+        WEIGHTS_IN(polynomials + 16 * span, span, parameter[i])
+        BLEND_ROWS(c)
+    }
+}
+
+LOOP(sample_additive_each, (DUALS_OF(a->out), a->in[0][0], a->controls, a->polynomials, a->count),
+     DUALS(REAL, out), const REAL *restrict parameter, const REAL *restrict controls,
+     const REAL *restrict polynomials, size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        const int span = SPAN_OF(parameter[i]);
+        const REAL *c = controls + 8 * (PLAIN_CONTROLS * i + (size_t)span);
+        WEIGHTS_IN(polynomials + 16 * span, span, parameter[i])
+        BLEND_ROWS(c)
+    }
+}
+
+/* Controls with the same number lie together, as results do. */
+#define CONTROLS(k) DUALS_OF(a->in[SPAN_OF(a->parameter) + k])
+LOOP(sample_additive_each_shared, (DUALS_OF(a->out), a->parameter, a->polynomials, CONTROLS(0), CONTROLS(1),
+      CONTROLS(2), CONTROLS(3), a->count),
+     DUALS(REAL, out), REAL parameter, const REAL *polynomials, DUALS(const REAL, a), DUALS(const REAL, b),
+     DUALS(const REAL, c), DUALS(const REAL, d), size_t count)
+{
+    const int span = SPAN_OF(parameter);
+    WEIGHTS_IN(polynomials + 16 * span, span, parameter)
+    for (size_t i = 0; i < count; ++i)
+        BLEND_DUALS(a, b, c, d)
+}
+#undef CONTROLS
+
 #undef BLEND
+#undef BLEND_DUALS
+#undef BLEND_ROWS
+#undef CUBIC
+#undef SPAN_OF
+#undef WEIGHTS_IN
 
 #endif
 

@@ -24,7 +24,9 @@ std::size_t stride_of(operand operand, layout kind)
 {
     constexpr std::size_t vertex = PLAIN_VERTEX_STRIDE, rest = PLAIN_MOTOR_STRIDE - components_of(operand::motor);
     const std::size_t components = components_of(operand);
-    if (kind != layout::strided || operand == operand::weights || operand == operand::parameter)
+    const bool beside = operand == operand::weights || operand == operand::parameter ||
+                        operand == operand::sorted_parameter;
+    if (kind != layout::strided || beside)
         return components;
     return components < vertex ? vertex : components + rest;
 }
@@ -54,10 +56,9 @@ template <std::size_t N> std::array<double, N> random_direction(random_engine &e
     return direction;
 }
 
-// A rotation about a random axis, and then a translation t: r + ε ½ t r.
-std::array<double, 8> unit_motor(random_engine &engine)
+// A rotation, and then a random translation t: r + ε ½ t r.
+std::array<double, 8> unit_motor(random_engine &engine, const std::array<double, 4> &r)
 {
-    const auto r = random_direction<4>(engine);
     double t[3];
     for (double &component : t)
         component = uniform(engine, -1, 1);
@@ -65,6 +66,16 @@ std::array<double, 8> unit_motor(random_engine &engine)
                              0.5 * (t[0] * r[0] + t[1] * r[3] - t[2] * r[2]),
                              0.5 * (t[1] * r[0] + t[2] * r[1] - t[0] * r[3]),
                              0.5 * (t[2] * r[0] + t[0] * r[2] - t[1] * r[1])});
+}
+
+std::array<double, 8> unit_motor(random_engine &engine) { return unit_motor(engine, random_direction<4>(engine)); }
+
+std::array<double, 8> control(random_engine &engine)
+{
+    const double half = uniform(engine, 0, pi / 6);
+    const auto axis = random_direction<3>(engine);
+    const double sine = std::sin(half);
+    return unit_motor(engine, {std::cos(half), sine * axis[0], sine * axis[1], sine * axis[2]});
 }
 
 // Times a study number a + b e123∞, which changes the dual part alone beside the scale.
@@ -137,7 +148,9 @@ std::vector<double> draw(random_engine &engine, operand operand)
     case operand::any_motor: return as_vector(multiple(engine, unit_motor(engine)));
     case operand::bivector: return with_direction(engine, operand, uniform(engine, 0, pi / 2));
     case operand::weights: return numbers(engine, blend_terms, 0.1, 1);
-    case operand::parameter: return numbers(engine, 1, 0, 1);
+    case operand::control: return as_vector(control(engine));
+    case operand::parameter:
+    case operand::sorted_parameter: return numbers(engine, 1, 0, 1);
     case operand::quaternion:
     case operand::quaternion_wxyz: return as_vector(random_direction<4>(engine));
     case operand::dual_quaternion:
@@ -160,6 +173,16 @@ template <class T> void fill(const array<T> &to, std::size_t count, random_engin
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t k = 0; k < to.components(); ++k)
             to.at(k, i) = static_cast<T>(pool[i % pool_size][k]);
+    if (operand == operand::sorted_parameter)
+        std::sort(to.component()[0], to.component()[0] + count);
+}
+
+template <class M> std::vector<M> draw_controls(std::size_t count)
+{
+    const array<M> drawn(components_of(operand::control), components_of(operand::control), layout::packed, count, 0);
+    random_engine engine(2);
+    fill(drawn, count, engine, operand::control);
+    return {drawn.component()[0], drawn.component()[0] + count * drawn.components()};
 }
 
 template <class T> array<T> make_array(operand operand, layout kind, std::size_t count, std::size_t place)
@@ -202,6 +225,13 @@ template <class T> std::size_t span_of(const std::vector<array<T>> &arrays)
     return span;
 }
 
+// As many controls as a sample depends on.
+template <class M> std::size_t control_size_of_element(const arguments &arguments)
+{
+    constexpr std::size_t one = components_of(operand::control) * sizeof(M);
+    return arguments.motion_an_element ? (motion_degree + 1) * one : 0;
+}
+
 std::size_t round_up(std::size_t size, std::size_t to) { return (size + to - 1) / to * to; }
 
 } // namespace
@@ -237,13 +267,18 @@ bool allows(const arguments &arguments, layout kind)
     const auto any = [](const std::vector<operand> &operands) {
         return std::any_of(operands.begin(), operands.end(), is_adjacent);
     };
+    const auto &in = arguments.in;
+    if (kind != layout::packed && std::find(in.begin(), in.end(), operand::control) != in.end())
+        return false;
     return kind != layout::soa || !(any(arguments.in) || any(arguments.out));
 }
 
 template <class T, class M>
 problem<T, M>::problem(std::string name, const arguments &arguments, layout where, std::size_t how_many)
     : kernel(std::move(name)), kind(where), count(how_many), elements(how_many * arguments.joints),
-      images(arguments.images)
+      images(arguments.images), controls(draw_controls<M>(arguments.controls *
+                                                          (arguments.motion_an_element ? elements : 1))),
+      control_size_(elements * control_size_of_element<M>(arguments))
 {
     random_engine engine(1);
     std::size_t place = 0; // of soa, every array takes one
@@ -272,14 +307,15 @@ problem<T, M>::problem(std::string name, const arguments &arguments, layout wher
 
 template <class T, class M> std::size_t problem<T, M>::bytes_read() const
 {
-    return index_size() + elements * (element_size(in) + (motors ? motors->components() * sizeof(M) : 0));
+    const std::size_t motor_size = motors ? motors->components() * sizeof(M) : 0;
+    return index_size() + control_size_ + elements * (element_size(in) + motor_size);
 }
 
 template <class T, class M> std::size_t problem<T, M>::bytes_written() const { return results() * element_size(out); }
 
 template <class T, class M> std::size_t problem<T, M>::span_read() const
 {
-    return index_size() + span_of(in) + (motors ? motors->span() : 0);
+    return index_size() + control_size_ + span_of(in) + (motors ? motors->span() : 0);
 }
 
 template <class T, class M> std::size_t problem<T, M>::span_written() const { return span_of(out); }
@@ -306,6 +342,7 @@ template <class T, class M> std::size_t problem_size(const arguments &arguments,
         size += components_of(operand::motor) * sizeof(M);
     if (arguments.index_an_element)
         size += sizeof(std::uint16_t);
+    size += control_size_of_element<M>(arguments);
     return size * arguments.joints * count;
 }
 

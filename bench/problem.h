@@ -66,6 +66,8 @@ enum class operand {
     bivector,
     weights,
     parameter, // of an interpolation, and the exponent of a power
+    sorted_parameter, // of one motion
+    control,   // of a motion: normalised, within 60° of one rotation, so that sums do not vanish; packed alone
     quaternion,
     translation,
     axis_angle,
@@ -102,6 +104,7 @@ constexpr std::size_t components_of(operand operand)
     case operand::bivector: return 6;
     case operand::motor:
     case operand::any_motor:
+    case operand::control:
     case operand::dual_quaternion:
     case operand::dual_quaternion_wxyz:
     case operand::screw: return 8;
@@ -110,7 +113,8 @@ constexpr std::size_t components_of(operand operand)
     case operand::rows_4x4:
     case operand::columns_4x4: return 16;
     case operand::weights: return blend_terms;
-    case operand::parameter: return 1;
+    case operand::parameter:
+    case operand::sorted_parameter: return 1;
     }
     return 0;
 }
@@ -123,6 +127,9 @@ struct arguments {
     bool index_an_element = false;
     std::size_t images = 1;      // results an element
     std::size_t joints = 1;      // elements an instance: the count is that of instances
+    std::size_t controls = 0;    // of a motion, where elements are sampled from one
+    bool motion_an_element = false;
+    std::size_t natural_count = 0; // of a crowd, of a mesh: no other is measured, unless it is 0
 };
 bool allows(const arguments &arguments, layout kind);
 
@@ -131,7 +138,19 @@ constexpr std::size_t shared_motors = 64;
 
 // Of a skeleton: each is the child of the one before. Instances lie side by side in soa, joint after joint, and else
 // one after the other.
-constexpr std::size_t skeleton_joints = 64;
+constexpr std::size_t skeleton_joints = 64, skeletons = 1000; // a crowd
+
+// Motions are of degree three and over [0, 1], their knots equally far apart and clamped.
+constexpr std::size_t motion_degree = 3, spline_controls = 16, bezier_controls = motion_degree + 1;
+
+// Of the many motions of an `each` kernel, if they are sampled at the same one.
+constexpr double shared_parameter = 0.4;
+
+// Of one motion that is compiled.
+constexpr std::size_t compiled_controls = 1000;
+
+// A motion on a mesh.
+constexpr std::size_t mesh_frames = 1000, mesh_vertices = 1839; // those of the bunny in examples/data
 
 // Elements of one rigid part lie together in a mesh, so their indices come in runs.
 constexpr std::size_t index_run = 32;
@@ -149,6 +168,7 @@ template <class T, class M = T> struct problem {
     std::optional<array<M>> motors; // of the elements, if each has its own
     std::vector<array<T>> in;
     std::vector<M> fixed;                // motors, packed
+    std::vector<M> controls;             // of all motions, packed, motion after motion
     std::vector<std::uint16_t> indices;  // of the elements, into the fixed motors
     std::vector<std::int32_t> parents;   // of the joints of a skeleton
     std::vector<array<T>> out;           // of a grid, motor by motor or (columns) element by element
@@ -156,7 +176,8 @@ template <class T, class M = T> struct problem {
     problem(std::string name, const arguments &arguments, layout where, std::size_t how_many);
 
     std::size_t results() const { return elements * images; }
-    // Of motors that elements share it is left out what they take.
+    // Of motors and motions that elements share it is left out what they take, and of others the controls that a
+    // sample does not depend on.
     std::size_t bytes_read() const;
     std::size_t bytes_written() const;
     std::size_t span_read() const;
@@ -164,6 +185,8 @@ template <class T, class M = T> struct problem {
 
 private:
     std::size_t index_size() const { return indices.size() * sizeof(indices[0]); }
+
+    std::size_t control_size_; // bytes read of all motions
 };
 
 // "aos", "aos32" with a stride of 32 bytes, "soa" or "aos-columns".

@@ -118,9 +118,9 @@ private:
     template <class T, class M> void run_shape(const shape<T, M> &shape)
     {
         if (fits(shape)) {
-            // Names depend on no data.
+            // Names depend on no data, but a motion has no fewer controls than it needs.
             auto made = shape;
-            made.count = reporter_ ? shape.count : 1;
+            made.count = reporter_ || shape.row.arguments.natural_count ? shape.count : 1;
             const auto problem = std::make_shared<bench::problem<T, M>>(made.make_problem());
             for (const contestant &contestant : contestants(shape, *problem, settings_))
                 add(contestant.name, [=](benchmark::State &state) {

@@ -853,8 +853,8 @@ mw_status mw_motion_domain_f64(double domain[2], const mw_compiled_motion_f64 *m
  * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP (with the parameters or the motion), MW_ERROR_FLAGS,
  * MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX; MW_ERROR_PARAMETER if a parameter is outside the domain, unless a flag says
  * what to do, or is not finite. Nothing is written on an error.
- * Operations a sample (fused multiply-adds and what costs as much), of degree d: degree² for the weights, and
- * 8 (d + 1) additive, ½ d (d + 1) slerps multiplicative, d exponentials and products cumulative, one of generators. */
+ * Operations a sample (fused multiply-adds and what costs as much), of degree d: 2 d² for the weights, and 8 (d + 1)
+ * additive, ½ d (d + 1) slerps multiplicative, d exponentials and products cumulative, one of each for generators. */
 mw_status mw_sample_motion_one_f32(mw_motors_f32 out, const mw_compiled_motion_f32 *motion, size_t index,
                                    const float *parameters, size_t count, unsigned flags);
 mw_status mw_sample_motion_one_f64(mw_motors_f64 out, const mw_compiled_motion_f64 *motion, size_t index,

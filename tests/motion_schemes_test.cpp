@@ -343,6 +343,10 @@ TYPED_TEST(MotionSchemesTest, wrapped_parameters_that_are_rounded)
                     << parameters[i] << " became " << at;
             }
         }
+        data.knots = {1, T(1.125)};  // more periods than there are numbers
+        for (T half : {sampled(CompiledMotion<T>(data), {most}, MW_WRAP_PARAMETERS)[4],
+                       sampled(CompiledMotion<T>(data), {-most}, MW_WRAP_PARAMETERS)[4]})
+            EXPECT_TRUE(half >= T(0.5) && half <= T(1.5)) << half;
     }
 }
 

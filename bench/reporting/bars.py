@@ -30,7 +30,8 @@ def bars(results: Results) -> List[Bar]:
     """Those for which the run has measured both sides."""
     makers: List[Maker] = [_one_packed, _one_packed_few, _one_strided, _one_soa, _one_beyond_caches, _each_soa,
                            _each_packed, _grid, _avx2, _f64, _threads, _group_limits, _group_rivals, _group_packed,
-                           _group_f64, _conversions, _skeletons]
+                           _group_f64, _conversions, _skeletons, _motions_additive, _motions_multiplicative,
+                           _motions_mesh, _motions_compiled]
     return [bar for maker in makers for bar in maker(results) if bar]
 
 
@@ -183,3 +184,36 @@ def _skeletons(results: Results):
     kernel = "compose_motor_hierarchy"
     yield _ratio(_ours(results, kernel, "soa", 1000), _plain(results, kernel, "aos", 1000), 4,
                  "best plain loop, skeleton after skeleton")
+
+
+# ------------------------------------------------------------------------------------------------------- motions
+
+def _motions_additive(results: Results):
+    for kernel in ("sample_additive_one", "sample_additive_each_shared"):
+        ours = _ours(results, kernel, "soa", 1024)
+        yield _part(ours, results.fma_seconds(ours) if ours else None, 0.6, "limit_fma")
+        limit = results.limit_seconds(ours) if ours else None
+        if limit and limit[1] != "fma":  # many motions are many controls to read
+            yield _part(ours, limit[0], 0.6, "the limit that binds: " + limit[1])
+
+
+def _motions_multiplicative(results: Results):
+    for kernel in ("sample_multiplicative_one", "sample_multiplicative_each"):
+        ours = _ours(results, kernel, "soa", 1024)
+        yield _ratio(ours, results.find(kernel, "aos", "f32", 1024, rival="libm"), 20, "packed, one after the other")
+        slerps = results.find(kernel, "soa", "f32", 1024, rival="six-slerps")
+        yield _ratio(ours, slerps, 1 / 1.2, "slerp in six calls")
+
+
+def _motions_mesh(results: Results):
+    kernel = "apply_point_motion"
+    for count in {row.count for row in results.rows if row.kernel == kernel}:
+        for layout in ("aos", "soa"):
+            poses = results.find(kernel, layout, "f32", count, rival="poses")
+            yield _ratio(_ours(results, kernel, layout, count), poses, 0.85, "apply_point_grid")
+
+
+def _motions_compiled(results: Results):
+    for row in results.rows:
+        if row.kernel.startswith("compile_") and (row.precision, row.isa) == ("f32", results.isas[0]):
+            yield _part(row, 1e-3, 1, "a millisecond")

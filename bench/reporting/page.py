@@ -97,14 +97,23 @@ interpolates the rotations alone, in quaternions. `compose_motor_hierarchy` is s
 of the one before, and its count is that of skeletons: side by side in `soa`, one after the other in `aos`. Matrices
 and quaternions `wxyz` have no `soa`.
 
-The limit of a row is the larger of two times: its operations (`generated/kernel_list.inc`; divisions and square
-roots are not among them) at the rate of `limit_fma`, and its bytes at the rates of `limit_copy`, `limit_read` and
-`limit_fill` at the same footprint - as many bytes as are both read and written count as a copy, the rest as a read
-or a fill. Beyond the first cache the gaps of strided arrays count, too. The rate of a memory limit is that of the
-best of the C library, a loop of the widest vectors and one of non-temporal stores. `scalar` and `sse2` cannot fuse:
-their operation is a product and a sum. Compilers may make vectors of a `scalar` kernel, which can then pass its
-limit. A baseline is measured against the limit of the kernel, on the best instruction set; it may move or compute
-less, as a plain loop over quaternions and translations does, and can pass it."""
+Motions are of degree three over [0, 1]: B-splines of 16 controls, and multiplicative ones Bézier curves of four.
+`sample_<kind>_one` is one motion at sorted parameters, `one_random` at others; `each` is many motions, each at its
+own parameter, and `each_shared` at one for all, of which the weights are not among the operations. Operations of
+velocities (`twist`) are not counted. Of many motions a sample reads four controls. `six-slerps` is the library in six
+calls of slerp on arrays of controls, which are packed otherwise. `apply_point_motion` is 1,000 frames of an additive
+motion on as many vertices as the bunny has, and `poses` is apply_point_grid on the poses of these frames, made
+beforehand. `compile_<kind>` is one motion of 1,000 controls.
+
+The limit of a row is the larger of two times: its operations (`generated/kernel_list.inc`, and of motions
+`bench/motions.cpp`; divisions and square roots are not among them) at the rate of `limit_fma`, and its bytes at the
+rates of `limit_copy`, `limit_read` and `limit_fill` at the same footprint - as many bytes as are both read and
+written count as a copy, the rest as a read or a fill. Beyond the first cache the gaps of strided arrays count, too.
+The rate of a memory limit is that of the best of the C library, a loop of the widest vectors and one of non-temporal
+stores. `scalar` and `sse2` cannot fuse: their operation is a product and a sum. Compilers may make vectors of a
+`scalar` kernel, which can then pass its limit. A baseline is measured against the limit of the kernel, on the best
+instruction set; it may move or compute less, as a plain loop over quaternions and translations does, and can pass
+it."""
 
 
 def _charts(charts: Dict[str, List[str]]) -> str:

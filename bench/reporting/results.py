@@ -57,7 +57,7 @@ class Row:
     @property
     def is_own(self) -> bool:
         """The library itself, in another way."""
-        return self.rival == "two-passes"
+        return self.rival in ("two-passes", "six-slerps", "poses")
 
 
 class MemoryLimit:

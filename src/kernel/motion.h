@@ -15,7 +15,9 @@ inline void sample_register(const motion_call<T> &c, std::size_t i, place<T> &wh
 {
     const int n = c.count - i < width<T> ? static_cast<int>(c.count - i) : width<T>;
     const vector<T> t = into_domain(c, load_parameters(c, i, n));
-    if (!where.holds(t))
+    if (where.holds(t))
+        where.move_to(c, i, n);
+    else
         where.find(c, i, n, t);
     sample(n, where.local_parameter(t));
 }

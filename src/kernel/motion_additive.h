@@ -24,41 +24,46 @@ template <int Degree, class V, class Number> inline void make_few_weights(const 
     }
 }
 
-// A run of samples from number i on whose parameters are in one span: whole registers, and what then comes before a
-// parameter of another span, unless that is too little to be worth it. Where it ends.
+// A run of samples from number i on whose parameters go from span to span: whole registers in one span, and where one is
+// in this and the next, what comes before the first of the next, which then begins a register. Where it ends.
 template <int Degree, class T, class Stream>
 inline std::size_t blend_run(const motion_call<T> &call, std::size_t index, const Stream &out, std::size_t i)
 {
     using V = vector<T>;
     const motion_call<T> c = call; // stores could change the original for all that the compiler knows
-    const span_bounds<T> bounds(c, index);
-    const T *const span = c.spans + c.span_size * index;
-    const T *const row = c.rows + std::size_t(motor_size) * c.first[index];
-    const auto blend = [&](const V &t, V *sum) {
-        const V local = (t - V(span[0])) * V(span[1]), u = if_less(local, V(T(1)), local, V(T(1)));
-        V weight[Degree + 1];
-        make_few_weights<Degree>(u, [&](int n) { return V(span[n]); }, weight);
-        for (int n = 0; n < motor_size; ++n) {
-            sum[n] = V(T(0));
-            for (int k = 0; k <= Degree; ++k)
-                sum[n] = fma(weight[k], V(row[motor_size * k + n]), sum[n]);
-        }
-    };
-    V sum[motor_size];
-    for (; c.count - i >= width<T>; i += width<T>) {
-        const V t = into_domain(c, load(c.parameters + i));
-        if (!bounds.hold(t)) {
-            const int n = bounds.count_held(t);
-            if (n < width<T> / 4)
+    for (;; ++index) {
+        const span_bounds<T> bounds(c, index);
+        const T *const span = c.spans + c.span_size * index;
+        const T *const row = c.rows + std::size_t(motor_size) * c.first[index];
+        const auto blend = [&](const V &t, V *sum) {
+            const V local = (t - V(span[0])) * V(span[1]), u = if_less(local, V(T(1)), local, V(T(1)));
+            V weight[Degree + 1];
+            make_few_weights<Degree>(u, [&](int n) { return V(span[n]); }, weight);
+            for (int n = 0; n < motor_size; ++n) {
+                sum[n] = V(T(0));
+                for (int k = 0; k <= Degree; ++k)
+                    sum[n] = fma(weight[k], V(row[motor_size * k + n]), sum[n]);
+            }
+        };
+        V t, sum[motor_size];
+        for (;; i += width<T>) {
+            if (c.count - i < width<T>)
                 return i;
-            blend(into_domain(c, load_parameters(c, i, n)), sum);
-            out.store_partial(i, n, sum);
-            return i + static_cast<std::size_t>(n);
+            t = into_domain(c, load(c.parameters + i));
+            if (!bounds.hold(t))
+                break;
+            blend(t, sum);
+            out.store(i, sum);
         }
-        blend(t, sum);
-        out.store(i, sum);
+        if (bounds.has_end || !all_between(t, bounds.begin, c.starts[index + 2]))
+            return i;
+        if (const int n = bounds.count_held(t)) {
+            const V low = if_less(t, V(bounds.begin), V(bounds.begin), t);
+            blend(if_less(V(bounds.end), low, V(bounds.end), low), sum);
+            out.store(i, sum); // those of the next span are stored again
+            i += static_cast<std::size_t>(n);
+        }
     }
-    return i;
 }
 template <class T, class Stream>
 inline std::size_t blend_run(const motion_call<T> &c, std::size_t index, const Stream &out, std::size_t i)

@@ -26,8 +26,9 @@ template <class T> inline vector<T> into_domain(const motion_call<T> &c, const v
         const V wrapped = if_less(moved, V(c.begin), moved + period, moved);
         inside = if_less(t, V(c.begin), wrapped, if_less(V(c.end), t, wrapped, t));
     }
-    const V low = if_less(inside, V(c.begin), V(c.begin), inside);
-    return if_less(V(c.end), low, V(c.end), low);
+    // What is too large to be wrapped is NaN by now, and goes to the begin.
+    const V low = if_less(V(c.begin), inside, inside, V(c.begin));
+    return if_less(low, V(c.end), low, V(c.end));
 }
 
 // The parameters from number i on; lanes from n on repeat the last.
@@ -127,10 +128,23 @@ public:
         same_span = same;
         same_rows = same && c.motion_stride == 0;
         bounds = span_bounds<T>(c, index[0]);
+        first_number = std::size_t(motor_size) * c.first[index[0]];
     }
 
-    // Whether this is the place of these parameters too.
-    bool holds(const V &t) const { return same_rows && bounds.hold(t); }
+    // Whether these parameters are in the same span; then the place of elements i ... of them.
+    bool holds(const V &t) const { return same_span && bounds.hold(t); }
+    void move_to(const motion_call<T> &c, std::size_t i, int n)
+    {
+        if (same_rows)
+            return;
+        const std::size_t base_stride = c.base_per_row ? c.motion_stride : 0;
+        row[0] = c.rows + c.motion_stride * i + first_number;
+        base[0] = c.bases + base_stride * i + (c.base_per_row ? first_number : 0);
+        for (int lane = 1; lane < W; ++lane) {
+            row[lane] = row[lane - 1] + (lane < n ? c.motion_stride : 0);
+            base[lane] = base[lane - 1] + (lane < n ? base_stride : 0);
+        }
+    }
 
     // From 0 to 1, and its derivative.
     jet<V> local_parameter(const V &t) const
@@ -153,6 +167,7 @@ public:
 
 private:
     span_bounds<T> bounds;
+    std::size_t first_number = 0;
 };
 
 // ----------------------------------------------------------------------------------------------------- weights

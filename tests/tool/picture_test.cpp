@@ -162,7 +162,7 @@ TEST(Figures, AreAllWrittenAndSound)
         EXPECT_EQ(picture.find("nan"), std::string::npos) << name;
         EXPECT_EQ(picture.find("inf"), std::string::npos) << name;
     }
-    EXPECT_NE(result.out.find("piecewise screw"), std::string::npos) << "the table of lengths and speeds";
+    EXPECT_NE(result.out.find("Piecewise screw"), std::string::npos) << "the table of lengths and speeds";
 }
 
 TEST(Figures, NeedAFolder)
