@@ -79,7 +79,7 @@ template <class T> inline std::size_t blend_run(const motion_call<T> &c, std::si
 {
     T first[width<T>];
     store(first, into_domain(c, vector<T>(c.parameters[i])));
-    const std::size_t index = find_span(c, first[0]);
+    const std::size_t index = find_span(c, first[0], cell_of(c, first[0]));
     const stream<T> &out = c.out[0];
     return out.kind == layout::soa      ? blend_run(c, index, soa_stream<T, motor_size>(out), i)
            : out.kind == layout::packed ? blend_run(c, index, packed_stream<T, motor_size>(out), i)
@@ -96,37 +96,35 @@ template <class T> inline void load_packed(T (&motors)[width<T>][motor_size], ve
     packed_stream<T, motor_size>(stream<T>{first, motor_size * sizeof(T), layout::packed}).load(0, v);
 }
 
-template <int Degree, class T>
-inline void blend_apart(const place<T> &where, const vector<T> &u, vector<T> *pose)
+template <int Degree, class T> inline void blend_apart(const place<T> &where, const vector<T> &u, T *to)
 {
     constexpr int parts = motor_parts<T>, size = motor_size / parts;
     vector<T> number[few_span_size<Degree>], weight[Degree + 1];
     where.template load_span<few_span_size<Degree>>(number);
     make_few_weights<Degree>(u, [&](int n) { return number[n]; }, weight);
-    T weights[Degree + 1][width<T>], sum[width<T>][motor_size];
+    T weights[Degree + 1][width<T>];
     for (int k = 0; k <= Degree; ++k)
         store(weights[k], weight[k]);
-    for (int lane = 0; lane < width<T>; ++lane) {
+    for (int lane = 0; lane < width<T>; ++lane, to += motor_size) {
         const T *const row = where.row_of(lane);
         for (int p = 0; p < parts; ++p) {
             motor_part<T> blend(T(0));
             for (int k = 0; k <= Degree; ++k)
                 blend = fma(motor_part<T>(weights[k][lane]), load_motor_part(row + motor_size * k + size * p), blend);
-            store_motor_part(sum[lane] + size * p, blend);
+            store_motor_part(to + size * p, blend);
         }
     }
-    load_packed(sum, pose);
 }
 template <class T>
-inline void blend_apart(const motion_call<T> &c, const place<T> &where, const vector<T> &u, vector<T> *pose)
+inline void blend_apart(std::size_t degree, const place<T> &where, const vector<T> &u, T *to)
 {
-    switch (c.degree) {
-    case 1: return blend_apart<1>(where, u, pose);
-    case 2: return blend_apart<2>(where, u, pose);
-    case 3: return blend_apart<3>(where, u, pose);
-    default: return blend_rows(c.degree, where, u, pose);
+    switch (degree) {
+    case 1: return blend_apart<1>(where, u, to);
+    case 2: return blend_apart<2>(where, u, to);
+    default: return blend_apart<3>(where, u, to);
     }
 }
+constexpr std::size_t most_few = 3; // the degrees of make_few_weights
 
 // A run of motions from number i on at the same parameter: their controls are blended as above, with the same weights.
 // Where it ends.
@@ -185,6 +183,30 @@ inline std::size_t blend_crowd(const motion_call<T> &c, const result_stream<T, m
     }
 }
 
+// A register of samples from number i on, wherever they are; how many.
+template <class T>
+inline std::size_t sample_apart(const motion_call<T> &c, const result_stream<T, motor_size> &out, std::size_t i)
+{
+    place<T> where;
+    const int n = c.count - i < width<T> ? static_cast<int>(c.count - i) : width<T>;
+    const vector<T> t = into_domain(c, load_parameters(c, i, n));
+    where.find(c, i, n, t);
+    const vector<T> u = where.local_parameter(t).value;
+    vector<T> pose[motor_size];
+    if (c.degree > most_few) {
+        blend_rows(c.degree, where, u, pose);
+        out.store(i, n, pose);
+    } else if (n == width<T> && c.out[0].kind == layout::packed)
+        blend_apart(c.degree, where, u, c.out[0].component[0] + motor_size * i);
+    else {
+        T sum[width<T>][motor_size];
+        blend_apart(c.degree, where, u, sum[0]);
+        load_packed(sum, pose);
+        out.store(i, n, pose);
+    }
+    return static_cast<std::size_t>(n);
+}
+
 // Additive motions, of which runs of parameters between the same two knots are the usual and the fastest case.
 template <class T> MOTORWAY_LOOP void run_additive_motion(const motion_call<T> &c)
 {
@@ -195,14 +217,7 @@ template <class T> MOTORWAY_LOOP void run_additive_motion(const motion_call<T> &
             i = end;
             continue;
         }
-        place<T> where;
-        const int n = c.count - i < width<T> ? static_cast<int>(c.count - i) : width<T>;
-        const vector<T> t = into_domain(c, load_parameters(c, i, n));
-        where.find(c, i, n, t);
-        vector<T> pose[motor_size];
-        blend_apart(c, where, where.local_parameter(t).value, pose);
-        out.store(i, n, pose);
-        i += static_cast<std::size_t>(n);
+        i += sample_apart(c, out, i);
     }
 }
 

@@ -42,10 +42,14 @@ template <class T> inline vector<T> load_parameters(const motion_call<T> &c, std
     return load(static_cast<const T *>(lanes));
 }
 
-// The cell of a parameter knows a span at or before its own, almost always that or the next.
-template <class T> inline std::size_t find_span(const motion_call<T> &c, T t)
+// The span of a parameter, which is in cell number `at`. That knows a span at or before its own, almost always that or
+// the next.
+template <class V, class T> inline V cell_of(const motion_call<T> &c, const V &t)
 {
-    const T at = (t - c.begin) * c.cells_per_unit;
+    return (t - V(c.begin)) * V(c.cells_per_unit);
+}
+template <class T> inline std::size_t find_span(const motion_call<T> &c, T t, T at)
+{
     const auto rounded = static_cast<std::ptrdiff_t>(at); // at least 0 in the domain
     const std::size_t cell = std::size_t(rounded) < c.cell_count ? std::size_t(rounded) : c.cell_count - 1;
     const std::size_t last = c.span_count - 1;
@@ -109,13 +113,14 @@ public:
     // Elements i ... of parameters t; lanes from n on repeat the last.
     void find(const motion_call<T> &c, std::size_t i, int n, const V &t)
     {
-        T parameter[W];
+        T parameter[W], cell[W];
         store(parameter, t);
-        std::size_t index[W] = {find_span(c, parameter[0])};
+        store(cell, cell_of(c, t));
+        std::size_t index[W] = {find_span(c, parameter[0], cell[0])};
         const bool one_parameter = all_between(t, parameter[0], parameter[0]);
         bool same = true;
         for (int lane = 1; lane < W; ++lane) {
-            index[lane] = one_parameter ? index[0] : find_span(c, parameter[lane]);
+            index[lane] = one_parameter ? index[0] : find_span(c, parameter[lane], cell[lane]);
             same &= index[lane] == index[0];
         }
         for (int lane = 0; lane < W; ++lane) {
