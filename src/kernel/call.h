@@ -63,6 +63,7 @@ template <class T> struct motion_call {
     const stream<T> *out; // the motors; then the twists, where the kernel makes them
     const T *parameters;
     std::size_t count;
+    bool one_parameter; // for all samples
 
     T begin, end, cells_per_unit;
     outside treatment;

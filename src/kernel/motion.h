@@ -55,8 +55,9 @@ template <class T> bool are_sound(const motion_call<T> &c)
     const T largest = sizeof(T) == sizeof(float) ? T(3.4028234663852886e38) : T(1.7976931348623157e308);
     const bool any = c.treatment != outside::none;
     const T low = any ? -largest : c.begin, high = any ? largest : c.end;
-    for (std::size_t i = 0; i < c.count; i += width<T>) {
-        const int n = c.count - i < width<T> ? static_cast<int>(c.count - i) : width<T>;
+    const std::size_t count = c.one_parameter ? 1 : c.count;
+    for (std::size_t i = 0; i < count; i += width<T>) {
+        const int n = count - i < width<T> ? static_cast<int>(count - i) : width<T>;
         if (!all_between(load_parameters(c, i, n), low, high))
             return false;
     }

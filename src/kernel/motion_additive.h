@@ -86,16 +86,17 @@ template <class T> inline std::size_t blend_run(const motion_call<T> &c, std::si
                                         : i;
 }
 
-// Samples that have their controls in different places: the controls of each are blended as they lie in memory, which
-// takes one transposition and not one a control.
 template <int Degree> constexpr int few_span_size = (Degree * (Degree + 1) + 3) / 4 * 4; // numbers of a span
 
+// A register of motors that are adjacent.
 template <class T> inline void load_packed(T (&motors)[width<T>][motor_size], vector<T> *v)
 {
     T *first[] = {motors[0]};
     packed_stream<T, motor_size>(stream<T>{first, motor_size * sizeof(T), layout::packed}).load(0, v);
 }
 
+// Samples that have their controls in different places: the controls of each are blended as they lie in memory, which
+// takes at most one transposition, and not one a control.
 template <int Degree, class T> inline void blend_apart(const place<T> &where, const vector<T> &u, T *to)
 {
     constexpr int parts = motor_parts<T>, size = motor_size / parts;
@@ -126,17 +127,16 @@ inline void blend_apart(std::size_t degree, const place<T> &where, const vector<
 }
 constexpr std::size_t most_few = 3; // the degrees of make_few_weights
 
-// A run of motions from number i on at the same parameter: their controls are blended as above, with the same weights.
+// Whole registers of many motions at one parameter: their controls are blended as above, with the same weights for all.
 // Where it ends.
 template <int Degree, class T>
-inline std::size_t blend_crowd(const motion_call<T> &call, const result_stream<T, motor_size> &out, std::size_t i)
+inline std::size_t blend_crowd(const motion_call<T> &call, const result_stream<T, motor_size> &out)
 {
     const motion_call<T> c = call; // stores could change the original for all that the compiler knows
     constexpr int parts = motor_parts<T>, size = motor_size / parts;
-    const T at = c.parameters[i];
-    const vector<T> t = into_domain(c, vector<T>(at));
+    const vector<T> t = into_domain(c, vector<T>(c.parameters[0]));
     place<T> where;
-    where.find(c, i, 1, t);
+    where.find(c, 0, 1, t);
     vector<T> number[few_span_size<Degree>], weight[Degree + 1];
     where.template load_span<few_span_size<Degree>>(number);
     make_few_weights<Degree>(where.local_parameter(t).value, [&](int n) { return number[n]; }, weight);
@@ -146,14 +146,12 @@ inline std::size_t blend_crowd(const motion_call<T> &call, const result_stream<T
         store(lanes, weight[k]);
         weights[k] = motor_part<T>(lanes[0]);
     }
-    const std::size_t first = static_cast<std::size_t>(where.row_of(0) - (c.rows + c.motion_stride * i));
     const bool is_packed = c.out[0].kind == layout::packed;
+    const T *row = where.row_of(0);
     T sum[width<T>][motor_size];
+    std::size_t i = 0;
     for (; c.count - i >= width<T>; i += width<T>) {
-        if (!all_between(load(c.parameters + i), at, at))
-            return i;
         T *const to = is_packed ? c.out[0].component[0] + motor_size * i : sum[0];
-        const T *row = c.rows + c.motion_stride * i + first;
         for (int lane = 0; lane < width<T>; ++lane, row += c.motion_stride)
             for (int p = 0; p < parts; ++p) {
                 motor_part<T> blend(T(0));
@@ -169,17 +167,14 @@ inline std::size_t blend_crowd(const motion_call<T> &call, const result_stream<T
     }
     return i;
 }
-
 template <class T>
-inline std::size_t blend_crowd(const motion_call<T> &c, const result_stream<T, motor_size> &out, std::size_t i)
+inline std::size_t blend_crowd(const motion_call<T> &c, const result_stream<T, motor_size> &out)
 {
-    if (c.count - i < width<T> || !all_between(load(c.parameters + i), c.parameters[i], c.parameters[i]))
-        return i;
-    switch (c.degree) {
-    case 1: return blend_crowd<1>(c, out, i);
-    case 2: return blend_crowd<2>(c, out, i);
-    case 3: return blend_crowd<3>(c, out, i);
-    default: return i;
+    switch (c.one_parameter ? c.degree : 0) {
+    case 1: return blend_crowd<1>(c, out);
+    case 2: return blend_crowd<2>(c, out);
+    case 3: return blend_crowd<3>(c, out);
+    default: return 0;
     }
 }
 
@@ -211,13 +206,9 @@ inline std::size_t sample_apart(const motion_call<T> &c, const result_stream<T, 
 template <class T> MOTORWAY_LOOP void run_additive_motion(const motion_call<T> &c)
 {
     const result_stream<T, motor_size> out(c.out[0]);
-    for (std::size_t i = 0; i < c.count;) {
-        const std::size_t end = c.motion_stride == 0 ? blend_run(c, i) : blend_crowd(c, out, i);
-        if (end != i) {
-            i = end;
-            continue;
-        }
-        i += sample_apart(c, out, i);
+    for (std::size_t i = blend_crowd(c, out); i < c.count;) {
+        const std::size_t end = c.motion_stride == 0 ? blend_run(c, i) : i;
+        i = end != i ? end : i + sample_apart(c, out, i);
     }
 }
 

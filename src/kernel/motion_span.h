@@ -34,6 +34,8 @@ template <class T> inline vector<T> into_domain(const motion_call<T> &c, const v
 // The parameters from number i on; lanes from n on repeat the last.
 template <class T> inline vector<T> load_parameters(const motion_call<T> &c, std::size_t i, int n)
 {
+    if (c.one_parameter)
+        return vector<T>(c.parameters[0]);
     if (n == width<T>)
         return load(c.parameters + i);
     T lanes[width<T>];
@@ -117,10 +119,9 @@ public:
         store(parameter, t);
         store(cell, cell_of(c, t));
         std::size_t index[W] = {find_span(c, parameter[0], cell[0])};
-        const bool one_parameter = all_between(t, parameter[0], parameter[0]);
         bool same = true;
         for (int lane = 1; lane < W; ++lane) {
-            index[lane] = one_parameter ? index[0] : find_span(c, parameter[lane], cell[lane]);
+            index[lane] = c.one_parameter ? index[0] : find_span(c, parameter[lane], cell[lane]);
             same &= index[lane] == index[0];
         }
         for (int lane = 0; lane < W; ++lane) {

@@ -45,10 +45,8 @@ template <class T> class motion_samples {
         result.count = some;
         result.rows += begin * arguments.motion_stride;
         result.bases += arguments.base_per_row ? begin * arguments.motion_stride : 0;
-        result.parameters = parameters.first + begin;
-        if (parameters.stride == 0)
-            result.parameters = room;
-        else if (parameters.stride != sizeof(T)) {
+        result.parameters = parameters.stride == 0 ? parameters.first : parameters.first + begin;
+        if (parameters.stride != 0 && parameters.stride != sizeof(T)) {
             for (std::size_t i = 0; i < some; ++i)
                 __builtin_memcpy(room + i, bytes_at(begin + i), sizeof(T));
             result.parameters = room;
@@ -62,9 +60,7 @@ template <class T> class motion_samples {
     template <class Use> bool for_each_part(const Use &use) const
     {
         T room[chunk];
-        if (parameters.stride == 0)
-            std::fill_n(room, std::min(count, chunk), *parameters.first);
-        const std::size_t most = parameters.stride == sizeof(T) ? count : chunk;
+        const std::size_t most = parameters.stride == sizeof(T) || parameters.stride == 0 ? count : chunk;
         for (std::size_t begin = 0; begin < count; begin += most)
             if (!use(begin, part(begin, std::min(most, count - begin), room)))
                 return false;
@@ -77,6 +73,7 @@ public:
         : scheme_number(static_cast<int>(scheme_of(motion.kind()))), parameters(at), count(number)
     {
         const std::size_t stride = 8 * motion->control_count;
+        arguments.one_parameter = at.stride == 0;
         arguments.begin = motion.begin();
         arguments.end = motion.end();
         arguments.cells_per_unit = static_cast<T>(motion->cells_per_unit);
@@ -101,12 +98,6 @@ public:
     bool are_sound() const
     {
         const auto check = motion_kernels_of<T>(*kernels()).are_sound;
-        if (parameters.stride == 0) {
-            motion_call<T> first = arguments;
-            first.parameters = parameters.first;
-            first.count = 1;
-            return check(first);
-        }
         return for_each_part([&](std::size_t, const motion_call<T> &part) { return check(part); });
     }
     void sample(const view<T, 8> &out) const
