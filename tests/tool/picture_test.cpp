@@ -39,18 +39,21 @@ std::size_t occurrences(const std::string &text, const std::string &part)
 bool is_balanced(const std::string &xml)
 {
     std::vector<std::string> open;
-    const std::regex tag("<(/?)([a-zA-Z]+)([^<>]*?)(/?)>");
-    std::size_t tags = 0;
-    for (auto it = std::sregex_iterator(xml.begin(), xml.end(), tag); it != std::sregex_iterator(); ++it, ++tags) {
-        if ((*it)[1] == "/") {
-            if (open.empty() || open.back() != (*it)[2])
-                return false;
+    for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at + 1)) {
+        const std::size_t end = xml.find_first_of("<>", at + 1);
+        if (end == std::string::npos || xml[end] == '<')
+            return false;
+        const bool closes = xml[at + 1] == '/', is_empty = xml[end - 1] == '/';
+        const std::size_t name = at + (closes ? 2 : 1);
+        const std::string element = xml.substr(name, xml.find_first_of(" \n/>", name) - name);
+        if (element.empty() || (closes && (open.empty() || open.back() != element)))
+            return false;
+        if (closes)
             open.pop_back();
-        } else if ((*it)[4] != "/") {
-            open.push_back((*it)[2]);
-        }
+        else if (!is_empty)
+            open.push_back(element);
     }
-    return open.empty() && tags == occurrences(xml, "<");
+    return open.empty() && xml.find('<') != std::string::npos;
 }
 
 TEST(Picture, HasAFigureForEachPoseAndAFrameForEachControl)
