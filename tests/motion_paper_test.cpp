@@ -91,15 +91,6 @@ protected:
         EXPECT_EQ(status, MW_OK);
         return out;
     }
-
-    // From 0 to 1.
-    static std::vector<T> unit_interval(std::size_t count)
-    {
-        std::vector<T> parameters;
-        for (std::size_t i = 0; i < count; ++i)
-            parameters.push_back(static_cast<T>(i) / static_cast<T>(count - 1));
-        return parameters;
-    }
 };
 
 TYPED_TEST_SUITE(MotionPaperTest, Precisions, PrecisionName);
@@ -125,7 +116,7 @@ TYPED_TEST(MotionPaperTest, figure_2_planar_curve_and_true_helix)
     const double c = std::cos(alpha / 2), s = std::sin(alpha / 2);
     this->expect_ends_printed(data, {1, 0, 0, 0, 5, 0, 1, 0},
                               {c, s, 0, 0, 5 * c, 5 * s, 11 * c, 11 * s}, 1e-6);
-    const auto parameters = this->unit_interval(65);
+    const auto parameters = unit_interval<TypeParam>(65);
     const std::vector<T> planar = this->path(data, parameters);
     const std::vector<T> helix = this->path(this->bezier({first, second}, MW_MOTION_MULTIPLICATIVE), parameters);
     const long double tolerance = 8 * 22 * epsilon<T>;  // lengths up to 22
@@ -303,7 +294,7 @@ TYPED_TEST(MotionPaperTest, lemma_4_2_and_rational_bezier_curves_of_twice_the_de
                     data.controls[k] = rounded_pose<T>(-1.0L * exact_pose(&data.controls[k].s));
             const std::array<T, 3> point = {T(0.5), -2, T(1.25)};
             const auto points = control_points(data, point);
-            const auto parameters = this->unit_interval(9);
+            const auto parameters = unit_interval<TypeParam>(9);
             const std::vector<T> path = this->path(data, parameters, point);
             const long double size = 4 * reach_of(data) + 4;
             for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -341,7 +332,7 @@ TYPED_TEST(MotionPaperTest, lemma_4_1_points_stay_on_the_cylinder)
             }
             return std::sqrt(sum);
         };
-        const auto parameters = this->unit_interval(17);
+        const auto parameters = unit_interval<TypeParam>(17);
         const std::vector<T> path = this->path(data, parameters, {T(0.5), -2, T(1.25)});
         const long double tolerance = 64 * (reach_of(data) + 2) * epsilon<T>;  // as above, twice, and an angle of 0.1
         for (std::size_t i = 0; i < parameters.size(); ++i)

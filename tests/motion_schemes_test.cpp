@@ -35,14 +35,6 @@ protected:
                   MW_OK);
         return out;
     }
-
-    static std::vector<T> unit_interval(std::size_t count)
-    {
-        std::vector<T> parameters;
-        for (std::size_t i = 0; i < count; ++i)
-            parameters.push_back(static_cast<T>(i) / static_cast<T>(count - 1));
-        return parameters;
-    }
 };
 
 TYPED_TEST_SUITE(MotionSchemesTest, Precisions, PrecisionName);
@@ -61,7 +53,7 @@ TYPED_TEST(MotionSchemesTest, multiplicative_linear_is_slerp_to_the_bit)
             for (auto &control : data.controls)
                 draw_motor(random, any_unit_regime(random), &control.s);
             data.controls = this->normalized(data.controls);
-            const auto parameters = this->unit_interval(39);
+            const auto parameters = unit_interval<TypeParam>(39);
             EXPECT_TRUE(same_bits(sampled(CompiledMotion<T>(data), parameters),
                                   this->slerp(data.controls[0], data.controls[1], parameters)))
                 << isa << ", repetition " << repetition;
@@ -80,7 +72,7 @@ TYPED_TEST(MotionSchemesTest, motions_of_degree_1_are_screws_from_pose_to_pose)
         const CompiledMotion<T> motion(data);
         for (std::size_t k = 0; k < 4; ++k) {
             const T begin = data.knots[k], width = data.knots[k + 1] - begin;
-            const auto parts = this->unit_interval(9);
+            const auto parts = unit_interval<TypeParam>(9);
             std::vector<T> parameters;
             for (T part : parts)
                 parameters.push_back(begin + part * width);
@@ -100,7 +92,7 @@ TYPED_TEST(MotionSchemesTest, additive_linear_is_equation_5)
     using Motor = typename TestFixture::Pose;
     Random random(93);
     const auto data = random_motion<T>(random, MW_MOTION_ADDITIVE, 1, 2);
-    const auto parameters = this->unit_interval(9);
+    const auto parameters = unit_interval<TypeParam>(9);
     const std::vector<T> out = sampled(CompiledMotion<T>(data), parameters);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const long double t = parameters[i];

@@ -335,6 +335,16 @@ inline long double swing_of(const reference::Motion &keys)
     return most / least / 3;
 }
 
+// Parameters from 0 to 1, equally far apart.
+template <class T>
+std::vector<T> unit_interval(std::size_t count)
+{
+    std::vector<T> parameters;
+    for (std::size_t i = 0; i < count; ++i)
+        parameters.push_back(static_cast<T>(i) / static_cast<T>(count - 1));
+    return parameters;
+}
+
 }  // namespace motorway::testing
 
 #endif
