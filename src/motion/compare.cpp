@@ -74,12 +74,6 @@ std::size_t find_larger(const places<T> &first, const places<T> &second, std::si
     return largest;
 }
 
-template <class T> mw_status check_motion(const typename c_types<T>::compiled *motion, std::size_t index)
-{
-    const mw_status status = check_compiled<T>(motion);
-    return status == MW_OK && index >= compiled_of<T>(motion)->motion_count ? MW_ERROR_MOTION_INDEX : status;
-}
-
 template <class T, class Distance>
 mw_status compare(Distance *largest, const typename c_types<T>::compiled *first, std::size_t first_index,
                   const typename c_types<T>::compiled *second, std::size_t second_index,
@@ -90,7 +84,8 @@ mw_status compare(Distance *largest, const typename c_types<T>::compiled *first,
     const mw_status status = first_error(
         largest && first && second ? MW_OK : MW_ERROR_NULL,
         [&] { return count && sample_count ? check_view(points, count) : MW_OK; },
-        [&] { return check_motion<T>(first, first_index); }, [&] { return check_motion<T>(second, second_index); });
+        [&] { return check_compiled<T>(first, first_index); },
+        [&] { return check_compiled<T>(second, second_index); });
     if (status != MW_OK)
         return status;
 

@@ -17,11 +17,6 @@ constexpr std::size_t cells_per_span = 4, most_cells = 65536;
 
 // ----------------------------------------------------------------------------------------------------- controls
 
-double rotations_dot(const motor &a, const motor &b)
-{
-    return a.s * b.s + a.b12 * b.b12 + a.b13 * b.b13 + a.b23 * b.b23;
-}
-
 // The controls of one motion, in the order of its timeline and with the signs that it takes them with.
 template <class T> class control_reader {
     const motion_of<T> &motion;
@@ -372,9 +367,10 @@ template <class T> void write_motion(const motion_of<T> &motion, unsigned flags,
 
 // ------------------------------------------------------------------------------------------------------- the API
 
-template <class T> mw_status find_size(std::size_t *size, const motion_of<T> *motion, std::size_t *where)
+// The header of what a description is compiled into, which says how large that is.
+template <class T> mw_status make_header(compiled_header *header, const motion_of<T> *motion, std::size_t *where)
 {
-    if (!size || !motion)
+    if (!motion)
         return MW_ERROR_NULL;
     const mw_status status = check_description<T>(*motion, where);
     if (status != MW_OK)
@@ -382,25 +378,35 @@ template <class T> mw_status find_size(std::size_t *size, const motion_of<T> *mo
     const double numbers = double(number_of_motions(motion->motion_count)) * 16 * 3 * double(motion->control_count + 32);
     if (numbers * sizeof(T) > double(PTRDIFF_MAX / 4) || motion->control_count > UINT32_MAX / 4)
         return MW_ERROR_SIZE;
-    const compiled_header header = header_of<T>(*motion);
-    *size = compiled<T>(header).size();
+    *header = header_of<T>(*motion);
     return MW_OK;
+}
+
+template <class T> mw_status find_size(std::size_t *size, const motion_of<T> *motion, std::size_t *where)
+{
+    compiled_header header;
+    const mw_status status = size ? make_header<T>(&header, motion, where) : MW_ERROR_NULL;
+    if (status == MW_OK)
+        *size = compiled<T>(header).size();
+    return status;
 }
 
 template <class T, class Compiled>
 mw_status compile(const Compiled **result, void *memory, std::size_t size, const motion_of<T> *motion, unsigned flags,
                   std::size_t *where)
 {
-    std::size_t ignored, needed;
+    std::size_t ignored;
+    compiled_header header;
     where = where ? where : &ignored;
     *where = 0;
     if (!result || !memory)
         return MW_ERROR_NULL;
-    mw_status status = find_size<T>(&needed, motion, where);
+    mw_status status = make_header<T>(&header, motion, where);
     if (status != MW_OK)
         return status;
     if (flags & ~(motion->kind == MW_MOTION_MULTIPLICATIVE ? 0u : unsigned(MW_KEEP_SIGNS)))
         return MW_ERROR_FLAGS;
+    const std::size_t needed = compiled<T>(header).size();
     if (size < needed || address(static_cast<char *>(memory)) % alignof(compiled_header))
         return MW_ERROR_MEMORY;
     const byte_range to = range_of(static_cast<const char *>(memory), needed);
@@ -413,9 +419,9 @@ mw_status compile(const Compiled **result, void *memory, std::size_t size, const
     status = check_controls<T>(*motion, flags, where);
     if (status != MW_OK)
         return status;
-    auto *const header = static_cast<compiled_header *>(memory);
-    *header = header_of<T>(*motion);
-    write_motion<T>(*motion, flags, compiled<T>(*header));
+    auto *const written = static_cast<compiled_header *>(memory);
+    *written = header;
+    write_motion<T>(*motion, flags, compiled<T>(*written));
     *result = static_cast<const Compiled *>(memory);
     return MW_OK;
 }

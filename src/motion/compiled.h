@@ -76,6 +76,16 @@ template <class T> mw_status check_compiled(const void *motion)
     return header.magic == compiled_magic && header.scalar_size == sizeof(T) ? MW_OK : MW_ERROR_MOTION;
 }
 
+// The same, and whether it holds so many motions from number `index` on.
+template <class T> mw_status check_compiled(const void *motion, std::size_t index, std::size_t count = 1)
+{
+    const mw_status status = check_compiled<T>(motion);
+    if (status != MW_OK)
+        return status;
+    const std::size_t motions = static_cast<const compiled_header *>(motion)->motion_count;
+    return index < motions && count <= motions - index ? MW_OK : MW_ERROR_MOTION_INDEX;
+}
+
 template <class T> compiled<T> compiled_of(const typename c_types<T>::compiled *motion)
 {
     return compiled<T>(*reinterpret_cast<const compiled_header *>(motion));

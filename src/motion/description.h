@@ -45,7 +45,7 @@ inline bool has_generators(mw_motion_kind kind)
 // from degree - 1 on.
 template <class T> class timeline {
     const T *given;
-    std::size_t given_controls, given_knots;
+    std::size_t given_controls;
     bool keys, closed;
 
     // The knots of the description, continued beyond both ends of a closed one by its period.
@@ -72,8 +72,8 @@ public:
     std::size_t degree, control_count;
 
     explicit timeline(const motion_of<T> &motion)
-        : given(motion.knots), given_controls(motion.control_count), given_knots(motion.knot_count),
-          keys(motion.kind == MW_MOTION_GENERATOR_KEYS), closed(motion.closed != 0), degree(keys ? 3 : motion.degree),
+        : given(motion.knots), given_controls(motion.control_count), keys(motion.kind == MW_MOTION_GENERATOR_KEYS),
+          closed(motion.closed != 0), degree(keys ? 3 : motion.degree),
           control_count(keys     ? 3 * (given_controls - (closed ? 0 : 1)) + 1
                         : closed ? given_controls + degree
                                  : given_controls)

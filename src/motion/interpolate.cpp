@@ -199,8 +199,7 @@ template <class Motor> void read_keys(const workspace &work, const Motor *keys)
     motor before{};
     for (std::size_t i = 0; i < work.count; ++i) {
         const motor m = normalized(load_motor<double>(keys[i]));
-        const double dot = m.s * before.s + m.b12 * before.b12 + m.b13 * before.b13 + m.b23 * before.b23;
-        before = work.controls[i] = dot < 0 ? m * -1.0 : m;
+        before = work.controls[i] = rotations_dot(m, before) < 0 ? m * -1.0 : m;
     }
 }
 

@@ -28,14 +28,11 @@ mw_status check_moving_point(const T *out, std::size_t count, const typename c_t
 {
     const mw_status status =
         first_error(check_array(out, count), [&] { return check_array(point, 3); },
-                    [&] { return check_compiled<T>(motion); });
+                    [&] { return check_compiled<T>(motion, index); });
     if (status != MW_OK)
         return status;
-    const compiled<T> moving = compiled_of<T>(motion);
-    if (index >= moving->motion_count)
-        return MW_ERROR_MOTION_INDEX;
     const byte_range range = range_of(out, count);
-    return range.meets(moving.range()) || range.meets(range_of(point, 3)) ? MW_ERROR_OVERLAP : MW_OK;
+    return range.meets(compiled_of<T>(motion).range()) || range.meets(range_of(point, 3)) ? MW_ERROR_OVERLAP : MW_OK;
 }
 
 // In the domain, and not decreasing; the lengths may take the place of the parameters.

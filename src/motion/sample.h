@@ -136,12 +136,7 @@ mw_status check_motion_call(const void *motion, motions_sampled which, std::size
         return MW_ERROR_FLAGS;
     if (!motion && count == 0)
         return MW_OK;
-    const mw_status status = check_compiled<T>(motion);
-    if (status != MW_OK)
-        return status;
-    const std::size_t motions = static_cast<const compiled_header *>(motion)->motion_count;
-    const std::size_t needed = which == motions_sampled::each ? count : 1;
-    return index < motions && needed <= motions - index ? MW_OK : MW_ERROR_MOTION_INDEX;
+    return check_compiled<T>(motion, index, which == motions_sampled::each ? count : 1);
 }
 
 } // namespace motorway

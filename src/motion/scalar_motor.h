@@ -78,11 +78,14 @@ template <class T> scalar_motor<T> operator*(const scalar_motor<T> &f, const sca
     };
 }
 
-// The part of S̄S = α + βω that is no pseudoscalar.
-template <class T> T alpha(const scalar_motor<T> &m)
+// Of two rotations as vectors: below 0 if one is nearer to the other with the opposite sign.
+template <class T> T rotations_dot(const scalar_motor<T> &a, const scalar_motor<T> &b)
 {
-    return m.s * m.s + m.b12 * m.b12 + m.b13 * m.b13 + m.b23 * m.b23;
+    return a.s * b.s + a.b12 * b.b12 + a.b13 * b.b13 + a.b23 * b.b23;
 }
+
+// The part of S̄S = α + βω that is no pseudoscalar.
+template <class T> T alpha(const scalar_motor<T> &m) { return rotations_dot(m, m); }
 
 // S / √(S̄S): the same motion with S̄S = 1, and the sign of s.
 template <class T> scalar_motor<T> normalized(const scalar_motor<T> &m)
