@@ -310,6 +310,7 @@ private:
 // ------------------------------------------------------------------------------------------------ choices
 
 #if defined(MOTORWAY_ISA_scalar) // one element a register: nothing to transpose
+template <class T> constexpr bool has_rows = false;
 template <class T, int N> using interleaved_stream = scattered_stream<T, N>;
 template <class T, int N> using packed_stream = packed_registers<T, N>;
 #else

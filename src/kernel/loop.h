@@ -114,6 +114,17 @@ inline void run_whole_registers(const call<T, E> &c)
     run_elements<K, T, E, Motors, Stream>(c);
 }
 
+// Adjacent components at any stride.
+template <class K, class T, class E, template <class> class Motors> inline void run_interleaved(const call<T, E> &c)
+{
+    using in = typename K::inputs;
+    using out = typename K::outputs;
+    if constexpr (has_rows<E> && in::number == 2 && out::number == 2 && in::are_triples && out::are_triples)
+        if (lie_side_by_side<in>(c.in) && lie_side_by_side<out>(c.out))
+            return run_elements<K, T, E, Motors, side_by_side>(c);
+    run_elements<K, T, E, Motors, interleaved_stream>(c);
+}
+
 // Motors that do not depend on the layout of the elements: the fast loops where all of these have the same layout,
 // else the general one.
 template <class K, class T, class E, template <class> class Motors> inline void run_any_layout(const call<T, E> &c)
@@ -129,7 +140,7 @@ template <class K, class T, class E, template <class> class Motors> inline void 
         return run_whole_registers<K, T, E, Motors, packed_stream>(c);
     if constexpr (K::inputs::are_small || K::motor_size == 0)
         if (elements_are<K>(c, layout::interleaved))
-            return run_elements<K, T, E, Motors, interleaved_stream>(c);
+            return run_interleaved<K, T, E, Motors>(c);
     run_elements<K, T, E, Motors, any_stream>(c);
 }
 
@@ -162,7 +173,7 @@ template <class K, class T, class E> void run_each(const call<T, E> &c)
             return run_whole_registers<K, T, E, own_motors<packed_stream>::template of, packed_stream>(c);
         if constexpr (K::inputs::are_small)
             if (kind == layout::packed && elements_are<K>(c, layout::interleaved))
-                return run_elements<K, T, E, own_motors<packed_stream>::template of, interleaved_stream>(c);
+                return run_interleaved<K, T, E, own_motors<packed_stream>::template of>(c);
         run_elements<K, T, E, own_motors<any_stream>::template of, any_stream>(c);
     }
 }

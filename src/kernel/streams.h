@@ -54,6 +54,21 @@ public:
     }
 };
 
+// Two streams side by side in every element, as positions and normals often are in vertices: moved as one, in fewer
+// loads and stores.
+template <class T, int N> class side_by_side;
+
+template <class T, int N, int M>
+class bundle<T, side_by_side, sizes<N, M>> : public interleaved_stream<T, N + M> {
+public:
+    explicit bundle(const stream<T> *streams) : interleaved_stream<T, N + M>(streams[0]) {}
+};
+
+template <class Sizes, class T> inline bool lie_side_by_side(const stream<T> *streams)
+{
+    return streams[0].stride == streams[1].stride && streams[1].component[0] == streams[0].component[0] + Sizes::value[0];
+}
+
 // ------------------------------------------------------------------------------------------- past the caches
 
 // What becomes of the results of a whole register.
