@@ -117,16 +117,21 @@ class Approximation:
 
 
 # A degree is the smallest whose best error is below a third of u, half an epsilon: tested.
-# Angles are reduced to [-π, π], so x <= π² = 9.87: the rest is room for a reduction that is itself rounded.
-# Beyond x = 1 the adjoint functions are taken from S and C. On the shortest path 0 <= s <= 1; where rounding makes s exceed 1 a little the polynomials run on smoothly.
+# Angles are reduced to [-π/2, π/2], so x <= π²/4 = 2.47: the rest is room for a reduction that is itself rounded. The
+# weights of slerp and the velocities of motions take angles up to π, x <= π² = 9.87, as they are.
+# Beyond x = 1 the adjoint functions are taken from S and C. On the shortest path 0 <= s <= 1; where rounding makes s
+# exceed 1 a little the polynomials run on smoothly.
 HALF_CIRCLE = Fraction(21, 2)
+QUARTER_CIRCLE = Fraction(13, 5)
 
 TABLE: Dict[str, Approximation] = {
-    name: Approximation(FUNCTIONS[name], end, weight, (("f32", single), ("f64", double)))
+    name: Approximation(FUNCTIONS[name.replace("short_", "")], end, weight, (("f32", single), ("f64", double)))
     for name, end, weight, single, double in (
         ("cosine", HALF_CIRCLE, 0, 6, 11),
         ("sinc", HALF_CIRCLE, 0, 6, 10),
         ("sinc_slope", HALF_CIRCLE, 1, 5, 10),
+        ("short_sinc", QUARTER_CIRCLE, 0, 4, 8),
+        ("short_sinc_slope", QUARTER_CIRCLE, 1, 4, 7),
         ("arc", Fraction(1), 0, 9, 21),
         ("arc_slope", Fraction(1), 0, 10, 22),
         ("adjoint", Fraction(1), 0, 4, 7),
@@ -162,11 +167,50 @@ def parts(value: Fraction, precision: str) -> Tuple[Fraction, Fraction]:
 # Those that kernels use, by name: what they are, and their value in a precision.
 REAL_NUMBERS: Dict[str, Tuple[str, Callable[[str], Fraction]]] = {
     "pi": ("π", lambda precision: parts(PI, precision)[0]),
+    "half_pi": ("π/2", lambda precision: parts(PI / 2, precision)[0]),
     "pi_rest": ("π - pi", lambda precision: parts(PI, precision)[1]),
     "two_pi": ("2π", lambda precision: parts(2 * PI, precision)[0]),
     "two_pi_rest": ("2π - two_pi", lambda precision: parts(2 * PI, precision)[1]),
+    "pi_high": ("the first half of the bits of pi", lambda precision: halves_of_pi(precision)[0]),
+    "pi_low": ("the second half", lambda precision: halves_of_pi(precision)[1]),
+    # Of two vectors, one that is shorter by this (squared) has no direction but that of rounding.
+    "gimbal_lock": ("the square of 8 epsilons", lambda precision: Fraction(64, 4 ** (MANTISSA_BITS[precision] - 1))),
+    "inverse_pi": ("1/π", lambda precision: parts(1 / PI, precision)[0]),
     "inverse_two_pi": ("1/(2π)", lambda precision: parts(1 / (2 * PI), precision)[0]),
 }
+
+
+def halves_of_pi(precision: str) -> Tuple[Fraction, Fraction]:
+    pi = parts(PI, precision)[0]
+    high = round_to(pi, MANTISSA_BITS[precision] // 2)
+    return high, pi - high
+
+
+# Of 1/(2π), for angles up to the largest double: those of a mantissa that stand for whole turns are skipped, and 320
+# more are enough for the nearest that any double comes to a whole turn.
+TURN_WORDS = 42
+
+
+def inverse_two_pi_words() -> List[int]:
+    """The bits of 1/(2π) behind the point, in words of 32, the highest first."""
+    with localcontext() as context:
+        context.prec = 500
+        bits = int(Decimal(2) ** (32 * TURN_WORDS) / (2 * decimal_pi()))
+    return [bits >> (32 * (TURN_WORDS - 1 - k)) & 0xFFFFFFFF for k in range(TURN_WORDS)]
+
+
+def decimal_pi() -> Decimal:
+    """π to the precision of the context, by Machin's formula."""
+
+    def arctan_of_inverse(n: int) -> Decimal:
+        power, total, k = 1 / Decimal(n), Decimal(0), 0
+        while total + power / (2 * k + 1) != total:
+            total += (-1) ** k * power / (2 * k + 1)
+            power /= n * n
+            k += 1
+        return total
+
+    return 16 * arctan_of_inverse(5) - 4 * arctan_of_inverse(239)
 
 # ------------------------------------------------------------------------------------------------------ rounding
 

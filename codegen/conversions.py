@@ -13,7 +13,7 @@ from algebra import OMEGA, Multivector, e
 from elements import DUAL_QUATERNION, SCREW
 from expression import function, precise, root
 from formulas import alpha, half_commutator_image, unnamed
-from motor_group import log_shortest, normalized
+from motor_group import log_shortest, normalized, sinc_and_slope, trim
 
 SMALLEST_LENGTH = Fraction(1, 2**120)  # scaling by its inverse overflows in neither precision
 SMALLEST_ROTATION = Fraction(1, 2**60)  # its square is a normal number in both
@@ -108,17 +108,16 @@ def matrix_to_motor(m, let):
 
 
 def cosine_and_sine(angle, name, let):
-    """Of half an angle of any size, reduced by multiples of 2π."""
+    """Of half an angle of any size, reduced by multiples of π."""
 
     def named(part, value):
         return let(f"{name}_{part}", value)
 
-    half = named("half", angle / 2)
-    turns = named("turns", function("nearest", half * precise("inverse_two_pi")))
-    r = named("r", named("rough", half - turns * precise("two_pi")) - turns * precise("two_pi_rest"))
-    y = named("y", r * r)
-    sinc = named("sinc", function("sinc", y))
-    return named("cos", sinc + y * function("sinc_slope", y)), named("sin", r * sinc)
+    half = named("half", function("unwind_angle", angle / 2))
+    halves = named("half_turns", function("nearest", half * precise("inverse_pi")))
+    r = named("r", named("rough", function("less_half_turns", half, halves)) - halves * precise("pi_rest"))
+    sinc, slope = sinc_and_slope(r, halves, f"{name}_", let)
+    return named("cos", sinc + slope), named("sin", r * sinc)
 
 
 def arc_tangent(y, x, name, let):
@@ -136,11 +135,17 @@ def arc_tangent(y, x, name, let):
 def to_half_turn(angle, name, let):
     """An angle of at most two turns, in [-π, π]."""
     turns = let(f"{name}_turns", function("nearest", angle * precise("inverse_two_pi")))
-    return let(f"{name}_rough", angle - turns * precise("two_pi")) - turns * precise("two_pi_rest")
+    rough = let(f"{name}_rough", angle - turns * precise("two_pi"))
+    return at_most(precise("pi"), let(name, rough - turns * precise("two_pi_rest")))
 
 
 def larger(a, b):
     return function("if_less", a, b, b, a)
+
+
+def at_most(bound, value):
+    """The value, or the bound with its sign if rounding made it larger than that."""
+    return function("if_less", bound, function("magnitude", value), function("with_sign", bound, value), value)
 
 
 def motor_to_axis_angle(S, let):
@@ -156,7 +161,8 @@ def motor_to_axis_angle(S, let):
     length = let("length", root(let("square", x * x + y * y + z * z)))
     i = let("i", function("if_less", 0, length, 1 / length, 0))
     axis = {"x": x * i, "y": y * i, "z": function("if_less", 0, length, z * i, 1)}
-    return dict(axis, w=2 * scale * length), let("k", 2 * r * r) * image_of_origin(S)
+    angle = let("angle", 2 * scale * length)
+    return dict(axis, w=at_most(precise("pi"), angle)), let("k", 2 * r * r) * image_of_origin(S)
 
 
 def axis_angle_to_motor(a, t, let):
@@ -170,7 +176,7 @@ def euler_to_motor(axes, angles, t, let):
     for k, name in enumerate("xyz"):
         c, s = cosine_and_sine(angles[name], f"of_{name}", let)
         R = let(f"r{k}", rotor(c, [s * axes[f"{name}{k}"] for name in "xyz"]) * R)
-    return R * translator(t)
+    return trim(R, let) * translator(t)
 
 
 def in_axes(S, axes):
@@ -179,9 +185,16 @@ def in_axes(S, axes):
     return S[""], *(sum(axes[f"{name}{k}"] * c for name, c in zip("xyz", xyz)) for k in range(3))
 
 
-def first_and_third(plus, minus, sign, let):
-    first, third = let("first", plus + minus), let("third", plus - minus)
-    return sign * to_half_turn(first, "first", let), sign * to_half_turn(third, "third", let)
+def first_and_third(a, b, c, d, sign, let):
+    """The sum and the difference of the halves that (a, b) and (c, d) show, and what of those two is left of length:
+    the squares of both. Where one is nothing but rounding, its angle is taken to be that of the other, so that the third
+    angle is 0 (gimbal lock)."""
+    plus, minus = arc_tangent(b, a, "plus", let), arc_tangent(d, c, "minus", let)
+    ab, cd = let("ab", a * a + b * b), let("cd", c * c + d * d)
+    locked_plus = let("locked_plus", function("if_less", ab, let("small_ab", cd * precise("gimbal_lock")), minus, plus))
+    locked_minus = let("locked_minus", function("if_less", cd, let("small_cd", ab * precise("gimbal_lock")), plus, minus))
+    first, third = let("sum", locked_plus + locked_minus), let("difference", locked_plus - locked_minus)
+    return sign * to_half_turn(first, "first", let), sign * to_half_turn(third, "third", let), ab, cd
 
 
 def motor_to_euler(axes, sign, S, let):
@@ -189,10 +202,10 @@ def motor_to_euler(axes, sign, S, let):
     of the first and third angle, times cos θ/2 ± sin θ/2 of the second (Bernardes and Viollet)."""
     w, q1, q2, q3 = (let(name, c) for name, c in zip(("q0", "q1", "q2", "q3"), in_axes(S, axes)))
     a, b, c, d = let("a", w + q2), let("b", q1 + q3), let("c", w - q2), let("d", q1 - q3)
-    first, third = first_and_third(arc_tangent(b, a, "plus", let), arc_tangent(d, c, "minus", let), sign["sign"], let)
-    cosine = let("cosine", root(let("aa", a * a + b * b) * let("cc", c * c + d * d)))
+    first, third, ab, cd = first_and_third(a, b, c, d, sign["sign"], let)
+    cosine = let("cosine", root(ab * cd))
     sine = let("sine", 2 * (w * q2 + q1 * q3))
-    second = sign["sign"] * arc_tangent(sine, cosine, "second", let)
+    second = sign["sign"] * at_most(precise("half_pi"), arc_tangent(sine, cosine, "second", let))
     return {"x": first, "y": second, "z": third}, let("k", 2 / let("alpha", alpha(S))) * image_of_origin(S)
 
 
@@ -200,9 +213,8 @@ def motor_to_euler_proper(axes, sign, S, let):
     """About i, j and i again: (w, q_i) and (q_j, q_k) have half the sum and half the difference of the first and third
     angle, and their lengths are cos θ/2 and sin θ/2 of the second."""
     a, b, c, d = (let(name, c) for name, c in zip("abcd", in_axes(S, axes)))
-    first, third = first_and_third(arc_tangent(b, a, "plus", let), arc_tangent(d, c, "minus", let), sign["sign"], let)
-    aa, cc = let("aa", a * a + b * b), let("cc", c * c + d * d)
-    second = arc_tangent(let("sine", 2 * root(aa * cc)), let("cosine", aa - cc), "second", let)
+    first, third, ab, cd = first_and_third(a, b, c, d, sign["sign"], let)
+    second = arc_tangent(let("sine", 2 * root(ab * cd)), let("cosine", ab - cd), "second", let)
     return {"x": first, "y": second, "z": third}, let("k", 2 / let("alpha", alpha(S))) * image_of_origin(S)
 
 
@@ -242,7 +254,8 @@ def motor_to_screw(S, let):
     lever = let("lever", if_it_turns(i * inverse, 0))
     arm = let("px", ay * mz - az * my), let("py", az * mx - ax * mz), let("pz", ax * my - ay * mx)
     point = (lever * c for c in arm)
-    return dict(zip(SCREW.names, (*axis, *point, 2 * if_it_turns(half_angle, 0), 2 * along)))
+    angle = let("angle", 2 * if_it_turns(half_angle, 0))
+    return dict(zip(SCREW.names, (*axis, *point, at_most(precise("pi"), angle), 2 * along)))
 
 
 def screw_to_motor(screw, let):

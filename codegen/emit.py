@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Dict, List, Sequence
 
 from approximate import TABLE
-from plan import STEPS, Operation, Plan
+from plan import SEVERAL_VALUES, STEPS, Operation, Plan
 
 WIDTH = 118
 INFIX = {"mul": "*", "add": "+", "sub": "-"}
@@ -45,11 +45,16 @@ class Writer:
                 continue
             if name or self.uses[operation] > 1:
                 name = self.fresh(name or "shared")
-                lines += wrap(f"const V {name} = {self.text(operation)};")
+                lines += wrap(f"const {self.type_of(operation)} {name} = {self.text(operation)};")
                 self.variables[operation] = name
         for k, result in enumerate(self.results):
             lines += wrap(f"{result_array}[{k}] = {self.text(result)};")
         return lines
+
+    @staticmethod
+    def type_of(operation: Operation) -> str:
+        several = SEVERAL_VALUES.get(operation.op)
+        return f"{several}<V>" if several else "V"
 
     def fresh(self, name: str) -> str:
         candidate, k = name, 1
@@ -61,6 +66,8 @@ class Writer:
     def text(self, operation: Operation, nested: bool = False) -> str:
         if operation in self.variables:
             return self.variables[operation]
+        if operation.op == "component":
+            return f"{self.text(operation.operands[0])}.{operation.name}"
         if operation.op == "constant":
             return f"{operation.name}<V>()" if operation.name else f"V({number(operation.value)})"
         operands = [self.text(operand, operation.op not in FUNCTIONS) for operand in operation.operands]

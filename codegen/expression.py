@@ -1,7 +1,8 @@
 """Immutable, hash-consed expressions with exact rational coefficients.
 
-There are seven kinds of node: a symbol, a sum of products, a quotient, a square root, a named value, a function
-whose values are all that is known of it, and a real number that each precision rounds in its own way. A sum
+There are eight kinds of node: a symbol, a sum of products, a quotient, a square root, a named value, a function
+whose values are all that is known of it, a component of one that has several, and a real number that each precision
+rounds in its own way. A sum
 holds terms, each a rational coefficient times a product of nodes; a single product and a constant are sums of one
 term. Building the same expression twice gives the same object, so equality of nodes is identity, and a node that
 occurs in two places is computed once. A named value is computed as it stands: nothing is merged across its border.
@@ -180,6 +181,11 @@ def function(name: str, *operands) -> Node:
     return Node("function", name, operands=tuple(map(node, operands)))
 
 
+def component(values: Node, name: str) -> Node:
+    """One of the values of a function that has several, by its name in the generated code."""
+    return Node("component", name, operands=(values,))
+
+
 def precise(name: str) -> Node:
     """A real number that is not rational, by its name in the generated code."""
     return Node("precise", name)
@@ -248,6 +254,8 @@ def expand(n: Node) -> Expansion:
         operands = map(expand, n.operands)
         name = f"{n.name}({', '.join(f'{o.numerator!r} / {o.denominator!r}' for o in operands)})"
         return Expansion(Polynomial.variable(name), {}, {})
+    if n.kind == "component":
+        return Expansion(Polynomial.variable(f"{expand(n.operands[0]).numerator!r}.{n.name}"), {}, {})
     total = Expansion(Polynomial(), {}, {})
     for coefficient, factors in n.terms:
         term = expand_product(coefficient, list(map(expand, factors)))

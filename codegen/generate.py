@@ -27,7 +27,15 @@ except ModuleNotFoundError:
     sys.exit("generate.py needs jinja2: install it (Debian: apt-get install python3-jinja2) for this python3")
 
 from algebra import BLADES, METRIC, Multivector, blade_product, blade_reverse, e
-from approximate import MANTISSA_BITS, REAL_NUMBERS, TABLE, error_bound, literal, polynomial
+from approximate import (
+    MANTISSA_BITS,
+    REAL_NUMBERS,
+    TABLE,
+    error_bound,
+    inverse_two_pi_words,
+    literal,
+    polynomial,
+)
 from elements import MOTOR, VECTOR
 from emit import WIDTH, Writer, constant_names
 from expression import named, node, symbol
@@ -167,6 +175,8 @@ def variant_values(variant: Variant) -> Dict[str, object]:
         "output_sizes": outputs,
         "affine": variant.choice.form.name == "matrix" and inputs == outputs and set(outputs) == {3},
         "accumulates": blends,
+        "degree": None if variant.unit else kernel.degree,
+        "has_fixed_motor": any(i.element is MOTOR for i in variant.fixed),
         "prologue_count": comment(str(plan.count("prologue"))),
         "prologue": write_prologue(variant),
         "body_count": comment(str(plan.count("body"))),
@@ -245,6 +255,7 @@ def approximation_values() -> Dict[str, object]:
             {"name": name, "meaning": meaning, "literals": [literal(value(p), p) for p in MANTISSA_BITS]}
             for name, (meaning, value) in REAL_NUMBERS.items()
         ],
+        "words": textwrap.wrap(", ".join(f"0x{word:08x}" for word in inverse_two_pi_words()) + ",", WIDTH - 4),
         "polynomials": [polynomial_values(name, row) for name, row in TABLE.items() if name in used_functions()],
     }
 

@@ -9,7 +9,7 @@ The formulas are in formulas.py.
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import Callable, Mapping, Tuple, Union
+from typing import Callable, Mapping, Optional, Tuple, Union
 
 from algebra import Multivector
 from conversions import (
@@ -134,6 +134,9 @@ class Kernel:
     unit_relations: Mapping[str, Union[Polynomial, Quotient]] = field(default_factory=dict)
     is_rational: bool = True  # a quotient of polynomials and their roots: golden vectors are exact
     mixed: bool = False  # computed in double, with motors of double and all else float
+    # Of kernels that take motors of any length (not the variant for normalised ones): the power of the length that the
+    # result has. Their first motor is brought near 1 where over- or underflow threatens.
+    degree: Optional[int] = None
 
     @property
     def name(self) -> str:
@@ -177,7 +180,7 @@ def apply_kernel(operand, formula, source, inputs, forms, unit_forms) -> Kernel:
     """`inputs` are what the motor is applied to, and the outputs are the same."""
     outputs = tuple(i.element for i in inputs)
     inputs = (Input("motor", MOTOR),) + inputs
-    return Kernel("apply", operand, formula, source, inputs, outputs, APPLY_PAIRINGS, forms, unit_forms, UNIT)
+    return Kernel("apply", operand, formula, source, inputs, outputs, APPLY_PAIRINGS, forms, unit_forms, UNIT, degree=0)
 
 
 
@@ -194,8 +197,11 @@ def conversion(operand, elements, outputs, form, formula, fixed=(), is_rational=
     inputs = tuple(Input(i.name, i, "t" if i is TRANSLATION else "") for i in elements)
     pairings = (Pairing("each", fixed=tuple(i.name for i in fixed)),)
     source = "Hunt et al. (2017), lemmas 3.10 and 3.11"
+    # Of a motor's length nothing is left, except in dual quaternions and rotors, which are motors in another order.
+    degree = 0 if operand.startswith("motor_to") and "dual_quaternion" not in operand else None
     return Kernel(
-        "convert", operand, formula, source, inputs, outputs, pairings, (("closed", form),), is_rational=is_rational
+        "convert", operand, formula, source, inputs, outputs, pairings, (("closed", form),), is_rational=is_rational,
+        degree=degree,
     )
 
 
@@ -281,6 +287,7 @@ KERNELS: Tuple[Kernel, ...] = (
         SHIFTED_PAIRINGS,
         SHIFTED_FORMS,
         mixed=True,
+        degree=0,
     ),
     apply_kernel(
         "direction",
@@ -367,6 +374,7 @@ KERNELS: Tuple[Kernel, ...] = (
         (MOTOR,),
         (EACH,),
         (("quotient", normalize_quotient), ("reciprocal", normalize_reciprocal)),
+        degree=0,
     ),
     Kernel(
         "blend",
@@ -387,6 +395,7 @@ KERNELS: Tuple[Kernel, ...] = (
         (MOTOR,),
         (EACH,),
         (("inverse", reverse_over),),
+        degree=-1,
     ),
     Kernel(
         "exp",
@@ -411,6 +420,7 @@ KERNELS: Tuple[Kernel, ...] = (
         (("dual", log_shortest),),
         UNIT,
         is_rational=False,
+        degree=0,
     ),
     Kernel(
         "log_principal",
@@ -424,6 +434,7 @@ KERNELS: Tuple[Kernel, ...] = (
         (("dual", log_principal),),
         UNIT,
         is_rational=False,
+        degree=0,
     ),
     Kernel(
         "sqrt",
@@ -457,6 +468,7 @@ KERNELS: Tuple[Kernel, ...] = (
         (EACH,),
         (("inverse", ratio),),
         (("reverse", lambda first, second, let: ~first * second),),
+        degree=-1,
     ),
     interpolation_kernel(
         "slerp",

@@ -14,9 +14,10 @@ from fractions import Fraction
 
 from algebra import OMEGA, Multivector
 from elements import BIVECTOR
-from expression import function, precise, root
+from expression import component, function, precise, root
 from formulas import alpha, beta, normalize_reciprocal, reverse_over
 
+ROTOR = {"": "s", "12": "b12", "13": "b13", "23": "b23"}
 SMALLEST_ANGLE = Fraction(1, 2**40)  # its square is no rounding error of 1 in either precision
 
 
@@ -37,9 +38,27 @@ def lost_in_sum(a, b, total, name, let):
     return let(f"{name}_a", a - rest) + let(f"{name}_b", b * b - part)
 
 
+def unwind(B, let):
+    """A bivector with the exponential of B, and not too large an angle for what follows: hardly ever another than B."""
+    values = let("unwound", function("unwind", *BIVECTOR.coefficients(B)))
+    return BIVECTOR.multivector(lambda name: component(values, name))
+
+
+def sinc_and_slope(r, half_turns, prefix, let):
+    """sin r / r and cos r less that, with the sign of what r + half_turns π has."""
+    y = let(f"{prefix}y", r * r)
+    sinc = let(f"{prefix}sinc_r", function("short_sinc", y))
+    slope = let(f"{prefix}slope_r", y * function("short_sinc_slope", y))
+    return (
+        let(f"{prefix}signed_sinc", function("flip_if_odd", sinc, half_turns)),
+        let(f"{prefix}signed_slope", function("flip_if_odd", slope, half_turns)),
+    )
+
+
 def exp_bivector(B, let):
-    """exp(B). The angle is reduced by multiples of 2π and kept to twice the precision: an error of it is one of the
-    motor, and grows with the angle otherwise."""
+    """exp(B). The angle is reduced by multiples of π, of which the odd ones change the sign, and kept to twice the
+    precision: an error of it is one of the motor, and grows with the angle otherwise."""
+    B = unwind(B, let)
     b12, b13, b23 = B["12"], B["13"], B["23"]
     x1 = let("x1", b12 * b12)
     x2 = let("x2", x1 + b13 * b13)
@@ -48,20 +67,27 @@ def exp_bivector(B, let):
               + let("lost3", lost_in_sum(x2, b23, x, "three", let)))
     near = let("near", root(x))
     theta = let("theta", function("at_least", near, SMALLEST_ANGLE))
-    i = let("i", 1 / theta)
-    turns = let("turns", function("nearest", theta * precise("inverse_two_pi")))
-    rest = let("rest", let("missing", let("square_rest", x - near * near) + low) * let("half_i", i / 2))
-    reduced = let("reduced", theta - turns * precise("two_pi"))
-    r = let("r", reduced + let("correction", rest - turns * precise("two_pi_rest")))
-    y = let("y", r * r)
-    sinc = let("sinc_r", function("sinc", y))
-    slope = let("slope_r", y * function("sinc_slope", y))  # cos r - sinc r
+    rough = let("rough_i", 1 / theta)
+    halves = let("half_turns", function("nearest", theta * precise("inverse_pi")))
+    rest = let("rest", let("missing", let("square_rest", x - near * near) + low) * let("half_i", rough / 2))
+    i = let("i", function("refine", rough, theta, rest))
+    reduced = let("reduced", theta - halves * precise("pi"))
+    r = let("r", reduced + let("correction", rest - halves * precise("pi_rest")))
+    sinc, slope = sinc_and_slope(r, halves, "", let)
     q = let("q", i * sinc)
     f = let("f", r * q)  # sin θ / θ
     h = let("h", half_beta_of_square(B))
     # h (cos θ - sin θ / θ) / θ²; nothing cancels where the angle is small
-    g = let("g", let("ii", i * i) * let("bend", slope + let("turned", turns * precise("two_pi")) * q) * h)
-    return dual(sinc + slope, f * h) + (dual(f, -g) * B).only(BIVECTOR.blades)
+    g = let("g", let("ii", i * i) * let("bend", slope + let("turned", halves * precise("pi")) * q) * h)
+    S = dual(sinc + slope, f * h) + (dual(f, -g) * B).only(BIVECTOR.blades)
+    return trim(S, let, unless_fused=True)
+
+
+def trim(S, let, unless_fused=False):
+    """The motor with the last epsilons off the length of its rotation."""
+    name = "trim_unless_fused" if unless_fused else "trim"
+    values = let("trimmed", function(name, *(S[blade] for blade in ROTOR)))
+    return Multivector({**S.parts, **{blade: component(values, name) for blade, name in ROTOR.items()}})
 
 
 def log_parts(S, let):

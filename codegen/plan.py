@@ -16,8 +16,13 @@ from expression import Node, sum_of
 
 # fma(a, b, c) = a b + c, fnma = c - a b, fms = a b - c: one operation each, as on every CPU that fuses.
 ARITHMETIC = ("mul", "add", "sub", "fma", "fnma", "fms", "negate")
-# Steps that are not arithmetic: a comparison and a choice are two instructions, the others one.
-STEPS = {"at_least": 1, "nearest": 1, "magnitude": 1, "with_sign": 1, "if_less": 2}
+# Steps that are not arithmetic: a comparison and a choice are two instructions, and so are a comparison and the branch
+# that is hardly ever taken, after what is compared.
+STEPS = {
+    "at_least": 1, "nearest": 1, "magnitude": 1, "with_sign": 1, "if_less": 2, "less_half_turns": 1,
+    "flip_if_odd": 3, "refine": 3, "trim": 9, "trim_unless_fused": 0, "unwind": 5, "unwind_angle": 3,
+}
+SEVERAL_VALUES = {"unwind": "bivector", "trim": "rotor", "trim_unless_fused": "rotor"}  # steps that make more than one: the type that holds them
 SLOW = ("div", "sqrt")
 # A 512-bit division or square root keeps its unit busy for as long as about 32 fused multiply-adds take.
 SLOW_WEIGHT = 32
@@ -120,6 +125,8 @@ def make_plan(outputs: Sequence[Node], element_symbols: FrozenSet[str]) -> Plan:
     stages: Dict[bool, Dict[Operation, None]] = {False: {}, True: {}}
 
     def visit(operation: Operation) -> None:
+        if operation.op == "component":
+            visit(operation.operands[0])
         if operation.counted and operation not in stages[operation.in_body]:
             for operand in operation.operands:
                 visit(operand)
@@ -160,6 +167,9 @@ class _Lowering:
             return operation("sqrt", *map(self.lower, n.operands))
         if n.kind == "function":
             return operation(n.name, *map(self.lower, n.operands))
+        if n.kind == "component":
+            values = self.lower(n.operands[0])
+            return Operation("component", (values,), name=n.name, in_body=values.in_body)
         if n.kind == "precise":
             return Operation("constant", name=n.name)
         invariant = [t for t in n.terms if not self._varies(t)]

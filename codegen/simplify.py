@@ -12,6 +12,7 @@ from expression import (
     Expansion,
     Node,
     as_term,
+    component,
     divide,
     expand,
     from_polynomial,
@@ -125,6 +126,8 @@ def replace_pair(form: Form, pair) -> Form:
             return n
         if n.kind == "function":
             return function(n.name, *map(rebuild, n.operands))
+        if n.kind == "component":
+            return component(rebuild(n.operands[0]), n.name)
         if n.kind == "named":
             return named(n.name, rebuild(n.operands[0]))
         if n.kind == "quotient":

@@ -18,6 +18,8 @@ struct apply_direction_one {
     using inputs = sizes<3>;
     using outputs = sizes<3>;
     static constexpr bool affine = true;  // the constants are a matrix by rows, then a translation
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = true;
 
     // 12 mul + 8 fma + 6 fnma + 2 negate + 1 div
     template <class V> static inline void prologue(const V *fixed, V *constant)
@@ -75,6 +77,8 @@ struct apply_direction_each {
     static constexpr int motor_size = 8;
     using inputs = sizes<3>;
     using outputs = sizes<3>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
     // 7 mul + 10 fma + 5 fnma + 1 div
     template <class V> static inline void body(const V *in, V *out)

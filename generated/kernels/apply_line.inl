@@ -17,6 +17,8 @@ struct apply_line_one {
     static constexpr int motor_size = 0;
     using inputs = sizes<6>;
     using outputs = sizes<6>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = true;
 
     // 39 mul + 22 fma + 18 fnma + 4 fms + 4 negate + 1 div
     template <class V> static inline void prologue(const V *fixed, V *constant)
@@ -117,6 +119,8 @@ struct apply_line_each {
     static constexpr int motor_size = 8;
     using inputs = sizes<6>;
     using outputs = sizes<6>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
     // 20 mul + 26 fma + 21 fnma + 1 fms + 1 div
     template <class V> static inline void body(const V *in, V *out)

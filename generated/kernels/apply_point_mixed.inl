@@ -18,6 +18,8 @@ struct apply_point_one_mixed {
     using inputs = sizes<3>;
     using outputs = sizes<3>;
     static constexpr bool affine = true;  // the constants are a matrix by rows, then a translation
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = true;
 
     // 15 mul + 16 fma + 19 fnma + 2 negate + 1 div
     template <class V> static inline void prologue(const V *fixed, V *constant)
@@ -87,6 +89,8 @@ struct apply_point_each_mixed {
     static constexpr int motor_size = 8;
     using inputs = sizes<3>;
     using outputs = sizes<3>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
     // nothing
     template <class V> static inline void prologue(const V *fixed, V *constant)

@@ -17,6 +17,8 @@ struct apply_tangent_one {
     static constexpr int motor_size = 0;
     using inputs = sizes<4>;
     using outputs = sizes<4>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = true;
 
     // 12 mul + 8 fma + 6 fnma + 2 negate + 1 div
     template <class V> static inline void prologue(const V *fixed, V *constant)
@@ -75,6 +77,8 @@ struct apply_tangent_each {
     static constexpr int motor_size = 8;
     using inputs = sizes<4>;
     using outputs = sizes<4>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
     // 7 mul + 10 fma + 5 fnma + 1 div
     template <class V> static inline void body(const V *in, V *out)

@@ -17,6 +17,8 @@ struct apply_vector_one {
     static constexpr int motor_size = 0;
     using inputs = sizes<5>;
     using outputs = sizes<5>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = true;
 
     // 27 mul + 20 fma + 16 fnma + 2 negate + 1 div
     template <class V> static inline void prologue(const V *fixed, V *constant)
@@ -97,6 +99,8 @@ struct apply_vector_each {
     static constexpr int motor_size = 8;
     using inputs = sizes<5>;
     using outputs = sizes<5>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
     // 18 mul + 24 fma + 11 fnma + 1 div
     template <class V> static inline void body(const V *in, V *out)

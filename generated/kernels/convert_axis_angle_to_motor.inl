@@ -8,7 +8,7 @@
 // convert axis_angle_to_motor each
 //
 // Forms, all proved equal; operations an element:
-//     closed      38   <- chosen
+//     closed      45   <- chosen
 struct convert_axis_angle_to_motor_each {
     using arithmetic = convert_axis_angle_to_motor_each;
     static constexpr int fixed_size = 0, constant_size = 0;
@@ -16,18 +16,22 @@ struct convert_axis_angle_to_motor_each {
     using inputs = sizes<4, 3>;
     using outputs = sizes<8>;
 
-    // 14 mul + 6 fma + 5 fnma + 1 negate + 1 nearest + 1 sinc + 1 sinc_slope: 38 operations in float, 47 in double
+    // 15 mul + 1 add + 5 fma + 4 fnma + 1 negate + 1 nearest + 1 less_half_turns + 2 flip_if_odd + 1 unwind_angle + 1
+    // short_sinc + 1 short_sinc_slope: 45 operations in float, 52 in double
     template <class V> static inline void body(const V *in, V *out)
     {
         const V x = in[0], y = in[1], z = in[2], w = in[3], tx = in[4], ty = in[5], tz = in[6];
-        const V half_half = V(0.5) * w;
-        const V half_turns = nearest(inverse_two_pi<V>() * half_half);
-        const V half_rough = fnma(two_pi<V>(), half_turns, half_half);
-        const V half_r = fnma(two_pi_rest<V>(), half_turns, half_rough);
+        const V half_half = unwind_angle(V(0.5) * w);
+        const V half_half_turns = nearest(inverse_pi<V>() * half_half);
+        const V half_rough = less_half_turns(half_half, half_half_turns);
+        const V half_r = fnma(pi_rest<V>(), half_half_turns, half_rough);
         const V half_y = half_r * half_r;
-        const V half_sinc = sinc(half_y);
-        const V half_cos = fma(half_y, sinc_slope(half_y), half_sinc);
-        const V half_sin = half_r * half_sinc;
+        const V half_sinc_r = short_sinc(half_y);
+        const V half_signed_sinc = flip_if_odd(half_sinc_r, half_half_turns);
+        const V half_slope_r = half_y * short_sinc_slope(half_y);
+        const V half_signed_slope = flip_if_odd(half_slope_r, half_half_turns);
+        const V half_cos = half_signed_sinc + half_signed_slope;
+        const V half_sin = half_r * half_signed_sinc;
         const V r12 = z * half_sin;
         const V minus_r13 = y * half_sin;
         const V r13 = negate(minus_r13);

@@ -8,7 +8,7 @@
 // convert euler_to_motor each
 //
 // Forms, all proved equal; operations an element (and once a batch):
-//     closed      131  (0)   <- chosen
+//     closed      161  (0)   <- chosen
 struct convert_euler_to_motor_each {
     using arithmetic = convert_euler_to_motor_each;
     static constexpr int fixed_size = 9, constant_size = 9;
@@ -32,61 +32,72 @@ struct convert_euler_to_motor_each {
         constant[8] = z2;
     }
 
-    // 54 mul + 17 fma + 24 fnma + 3 nearest + 3 sinc + 3 sinc_slope: 131 operations in float, 158 in double
+    // 57 mul + 3 add + 14 fma + 21 fnma + 3 nearest + 3 less_half_turns + 6 flip_if_odd + 1 trim + 3 unwind_angle + 3
+    // short_sinc + 3 short_sinc_slope: 161 operations in float, 182 in double
     template <class V> static inline void body(const V *constant, const V *in, V *out)
     {
         const V x0 = constant[0], x1 = constant[1], x2 = constant[2], y0 = constant[3], y1 = constant[4],
             y2 = constant[5], z0 = constant[6], z1 = constant[7], z2 = constant[8];
         const V x = in[0], y = in[1], z = in[2], tx = in[3], ty = in[4], tz = in[5];
-        const V of_x_half = V(0.5) * x;
-        const V of_x_turns = nearest(inverse_two_pi<V>() * of_x_half);
-        const V of_x_rough = fnma(two_pi<V>(), of_x_turns, of_x_half);
-        const V of_x_r = fnma(two_pi_rest<V>(), of_x_turns, of_x_rough);
+        const V of_x_half = unwind_angle(V(0.5) * x);
+        const V of_x_half_turns = nearest(inverse_pi<V>() * of_x_half);
+        const V of_x_rough = less_half_turns(of_x_half, of_x_half_turns);
+        const V of_x_r = fnma(pi_rest<V>(), of_x_half_turns, of_x_rough);
         const V of_x_y = of_x_r * of_x_r;
-        const V of_x_sinc = sinc(of_x_y);
-        const V of_x_cos = fma(of_x_y, sinc_slope(of_x_y), of_x_sinc);
-        const V of_y_half = V(0.5) * y;
-        const V of_y_turns = nearest(inverse_two_pi<V>() * of_y_half);
-        const V of_y_rough = fnma(two_pi<V>(), of_y_turns, of_y_half);
-        const V of_y_r = fnma(two_pi_rest<V>(), of_y_turns, of_y_rough);
+        const V of_x_sinc_r = short_sinc(of_x_y);
+        const V of_x_signed_sinc = flip_if_odd(of_x_sinc_r, of_x_half_turns);
+        const V of_x_slope_r = of_x_y * short_sinc_slope(of_x_y);
+        const V of_x_signed_slope = flip_if_odd(of_x_slope_r, of_x_half_turns);
+        const V of_x_cos = of_x_signed_sinc + of_x_signed_slope;
+        const V of_y_half = unwind_angle(V(0.5) * y);
+        const V of_y_half_turns = nearest(inverse_pi<V>() * of_y_half);
+        const V of_y_rough = less_half_turns(of_y_half, of_y_half_turns);
+        const V of_y_r = fnma(pi_rest<V>(), of_y_half_turns, of_y_rough);
         const V of_y_y = of_y_r * of_y_r;
-        const V of_y_sinc = sinc(of_y_y);
-        const V of_y_sin = of_y_r * of_y_sinc;
-        const V of_x_sin = of_x_r * of_x_sinc;
+        const V of_y_sinc_r = short_sinc(of_y_y);
+        const V of_y_signed_sinc = flip_if_odd(of_y_sinc_r, of_y_half_turns);
+        const V of_y_sin = of_y_r * of_y_signed_sinc;
+        const V of_x_sin = of_x_r * of_x_signed_sinc;
         const V r012 = z0 * of_x_sin;
         const V minus_r013 = y0 * of_x_sin;
         const V r023 = x0 * of_x_sin;
-        const V of_y_cos = fma(of_y_y, sinc_slope(of_y_y), of_y_sinc);
+        const V of_y_slope_r = of_y_y * short_sinc_slope(of_y_y);
+        const V of_y_signed_slope = flip_if_odd(of_y_slope_r, of_y_half_turns);
+        const V of_y_cos = of_y_signed_sinc + of_y_signed_slope;
         const V r123 = fma(x1 * of_x_cos, of_y_sin, fnma(y1 * r012, of_y_sin, fma(z1 * minus_r013, of_y_sin,
             r023 * of_y_cos)));
-        const V of_z_half = V(0.5) * z;
-        const V of_z_turns = nearest(inverse_two_pi<V>() * of_z_half);
-        const V of_z_rough = fnma(two_pi<V>(), of_z_turns, of_z_half);
-        const V of_z_r = fnma(two_pi_rest<V>(), of_z_turns, of_z_rough);
+        const V of_z_half = unwind_angle(V(0.5) * z);
+        const V of_z_half_turns = nearest(inverse_pi<V>() * of_z_half);
+        const V of_z_rough = less_half_turns(of_z_half, of_z_half_turns);
+        const V of_z_r = fnma(pi_rest<V>(), of_z_half_turns, of_z_rough);
         const V of_z_y = of_z_r * of_z_r;
-        const V of_z_sinc = sinc(of_z_y);
-        const V of_z_sin = of_z_r * of_z_sinc;
+        const V of_z_sinc_r = short_sinc(of_z_y);
+        const V of_z_signed_sinc = flip_if_odd(of_z_sinc_r, of_z_half_turns);
+        const V of_z_sin = of_z_r * of_z_signed_sinc;
         const V r113 = fnma(x1 * r012, of_y_sin, fnma(y1 * of_x_cos, of_y_sin, fnma(minus_r013, of_y_cos,
             (z1 * r023) * of_y_sin)));
         const V r112 = fnma(x1 * minus_r013, of_y_sin, fma(y1 * r023, of_y_sin, fma(z1 * of_x_cos, of_y_sin,
             r012 * of_y_cos)));
         const V r1 = fnma(x1 * r023, of_y_sin, fnma(y1 * minus_r013, of_y_sin, fnma(z1 * r012, of_y_sin,
             of_x_cos * of_y_cos)));
-        const V of_z_cos = fma(of_z_y, sinc_slope(of_z_y), of_z_sinc);
+        const V of_z_slope_r = of_z_y * short_sinc_slope(of_z_y);
+        const V of_z_signed_slope = flip_if_odd(of_z_slope_r, of_z_half_turns);
+        const V of_z_cos = of_z_signed_sinc + of_z_signed_slope;
         const V r2 = fnma(x2 * r123, of_z_sin, fma(y2 * r113, of_z_sin, fnma(z2 * r112, of_z_sin, r1 * of_z_cos)));
         const V r212 = fma(x2 * r113, of_z_sin, fma(y2 * r123, of_z_sin, fma(z2 * r1, of_z_sin, r112 * of_z_cos)));
         const V r213 = fnma(x2 * r112, of_z_sin, fnma(y2 * r1, of_z_sin, fma(z2 * r123, of_z_sin, r113 * of_z_cos)));
         const V r223 = fma(x2 * r1, of_z_sin, fnma(y2 * r112, of_z_sin, fnma(z2 * r113, of_z_sin, r123 * of_z_cos)));
+        const rotor<V> trimmed = trim(r2, r212, r213, r223);
         const V shared1 = V(0.5) * tz;
         const V shared2 = V(0.5) * ty;
         const V shared3 = V(0.5) * tx;
-        out[0] = r2;
-        out[1] = r212;
-        out[2] = r213;
-        out[3] = r223;
-        out[4] = fma(shared1, r213, fma(shared2, r212, shared3 * r2));
-        out[5] = fma(shared1, r223, fnma(shared3, r212, shared2 * r2));
-        out[6] = fnma(shared2, r223, fnma(shared3, r213, shared1 * r2));
-        out[7] = fma(shared3, r223, fnma(shared2, r213, shared1 * r212));
+        out[0] = trimmed.s;
+        out[1] = trimmed.b12;
+        out[2] = trimmed.b13;
+        out[3] = trimmed.b23;
+        out[4] = fma(shared1, trimmed.b13, fma(shared2, trimmed.b12, shared3 * trimmed.s));
+        out[5] = fma(shared1, trimmed.b23, fnma(shared3, trimmed.b12, shared2 * trimmed.s));
+        out[6] = fnma(shared2, trimmed.b23, fnma(shared3, trimmed.b13, shared1 * trimmed.s));
+        out[7] = fma(shared3, trimmed.b23, fnma(shared2, trimmed.b13, shared1 * trimmed.b12));
     }
 };

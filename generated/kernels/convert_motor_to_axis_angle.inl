@@ -8,16 +8,18 @@
 // convert motor_to_axis_angle each
 //
 // Forms, all proved equal; operations an element:
-//     closed      63 + 5 div or sqrt   <- chosen
+//     closed      67 + 5 div or sqrt   <- chosen
 struct convert_motor_to_axis_angle_each {
     using arithmetic = convert_motor_to_axis_angle_each;
     static constexpr int fixed_size = 0, constant_size = 0;
     static constexpr int motor_size = 0;
     using inputs = sizes<8>;
     using outputs = sizes<4, 3>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
-    // 23 mul + 1 sub + 10 fma + 4 fnma + 2 negate + 1 at_least + 4 magnitude + 1 with_sign + 4 if_less + 3 div + 2
-    // sqrt + 1 arc: 63 operations in float, 75 in double
+    // 23 mul + 1 sub + 10 fma + 4 fnma + 2 negate + 1 at_least + 5 magnitude + 2 with_sign + 5 if_less + 3 div + 2
+    // sqrt + 1 arc: 67 operations in float, 79 in double
     template <class V> static inline void body(const V *in, V *out)
     {
         const V s = in[0], b12 = in[1], b13 = in[2], b23 = in[3], b1i = in[4], b2i = in[5], b3i = in[6], w = in[7];
@@ -41,11 +43,12 @@ struct convert_motor_to_axis_angle_each {
         const V square = fma(dz, dz, fma(minus_dy, minus_dy, dx * dx));
         const V length = sqrt(square);
         const V i = if_less(V(0), length, V(1) / length, V(0));
+        const V angle = (V(2) * scale) * length;
         const V k = (V(2) * r) * r;
         out[0] = dx * i;
         out[1] = negate(minus_dy * i);
         out[2] = if_less(V(0), length, dz * i, V(1));
-        out[3] = (V(2) * scale) * length;
+        out[3] = if_less(pi<V>(), magnitude(angle), with_sign(pi<V>(), angle), angle);
         out[4] = fma(b23, w, fnma(b13, b3i, fnma(b12, b2i, s * b1i))) * k;
         out[5] = fnma(b23, b3i, fnma(b13, w, fma(b12, b1i, s * b2i))) * k;
         out[6] = fma(b23, b2i, fma(b13, b1i, fma(b12, w, s * b3i))) * k;

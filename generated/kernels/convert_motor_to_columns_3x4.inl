@@ -15,6 +15,8 @@ struct convert_motor_to_columns_3x4_each {
     static constexpr int motor_size = 0;
     using inputs = sizes<8>;
     using outputs = sizes<12>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
     // 18 mul + 13 fma + 10 fnma + 2 negate + 1 div
     template <class V> static inline void body(const V *in, V *out)

@@ -8,13 +8,15 @@
 // convert motor_to_euler each
 //
 // Forms, all proved equal; operations an element (and once a batch):
-//     closed      115 + 8 div or sqrt  (0)   <- chosen
+//     closed      133 + 8 div or sqrt  (0)   <- chosen
 struct convert_motor_to_euler_each {
     using arithmetic = convert_motor_to_euler_each;
     static constexpr int fixed_size = 10, constant_size = 10;
     static constexpr int motor_size = 0;
     using inputs = sizes<8>;
     using outputs = sizes<3, 3>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
     // nothing
     template <class V> static inline void prologue(const V *fixed, V *constant)
@@ -33,48 +35,55 @@ struct convert_motor_to_euler_each {
         constant[9] = z2;
     }
 
-    // 30 mul + 3 add + 9 sub + 15 fma + 11 fnma + 2 nearest + 3 magnitude + 3 with_sign + 6 if_less + 4 div + 4 sqrt
-    // + 3 arc: 115 operations in float, 151 in double
+    // 32 mul + 3 add + 9 sub + 15 fma + 11 fnma + 2 nearest + 6 magnitude + 6 with_sign + 11 if_less + 4 div + 4 sqrt
+    // + 3 arc: 133 operations in float, 169 in double
     template <class V> static inline void body(const V *constant, const V *in, V *out)
     {
         const V sign = constant[0], x0 = constant[1], x1 = constant[2], x2 = constant[3], y0 = constant[4],
             y1 = constant[5], y2 = constant[6], z0 = constant[7], z1 = constant[8], z2 = constant[9];
         const V s = in[0], b12 = in[1], b13 = in[2], b23 = in[3], b1i = in[4], b2i = in[5], b3i = in[6], w = in[7];
-        const V q2 = fma(z1, b12, fnma(y1, b13, x1 * b23));
-        const V a = s + q2;
         const V q1 = fma(z0, b12, fnma(y0, b13, x0 * b23));
         const V q3 = fma(z2, b12, fnma(y2, b13, x2 * b23));
         const V b = q1 + q3;
-        const V plus_square = fma(b, b, a * a);
-        const V plus_length = sqrt(plus_square);
-        const V plus_i = if_less(V(0), plus_length, V(1) / plus_length, V(0));
-        const V plus_arc = (b * plus_i) * arc(V(1) - magnitude(a * plus_i));
-        const V plus_angle = if_less(a, V(0), with_sign(pi<V>(), b) - plus_arc, plus_arc);
-        const V c = s - q2;
+        const V q2 = fma(z1, b12, fnma(y1, b13, x1 * b23));
+        const V a = s + q2;
+        const V ab = fma(b, b, a * a);
         const V d = q1 - q3;
-        const V minus_square = fma(d, d, c * c);
-        const V minus_length = sqrt(minus_square);
+        const V c = s - q2;
+        const V cd = fma(d, d, c * c);
+        const V small_ab = gimbal_lock<V>() * cd;
+        const V minus_length = sqrt(cd);
         const V minus_i = if_less(V(0), minus_length, V(1) / minus_length, V(0));
         const V minus_arc = (d * minus_i) * arc(V(1) - magnitude(c * minus_i));
         const V minus_angle = if_less(c, V(0), with_sign(pi<V>(), d) - minus_arc, minus_arc);
-        const V first = plus_angle + minus_angle;
-        const V first_turns = nearest(inverse_two_pi<V>() * first);
-        const V first_rough = fnma(two_pi<V>(), first_turns, first);
-        const V cosine = sqrt(plus_square * minus_square);
+        const V plus_length = sqrt(ab);
+        const V plus_i = if_less(V(0), plus_length, V(1) / plus_length, V(0));
+        const V plus_arc = (b * plus_i) * arc(V(1) - magnitude(a * plus_i));
+        const V plus_angle = if_less(a, V(0), with_sign(pi<V>(), b) - plus_arc, plus_arc);
+        const V locked_plus = if_less(ab, small_ab, minus_angle, plus_angle);
+        const V small_cd = gimbal_lock<V>() * ab;
+        const V locked_minus = if_less(cd, small_cd, plus_angle, minus_angle);
+        const V sum = locked_plus + locked_minus;
+        const V first_turns = nearest(inverse_two_pi<V>() * sum);
+        const V first_rough = fnma(two_pi<V>(), first_turns, sum);
+        const V first = fnma(two_pi_rest<V>(), first_turns, first_rough);
+        const V cosine = sqrt(ab * cd);
         const V sine = V(2) * fma(q1, q3, s * q2);
         const V second_square = fma(sine, sine, cosine * cosine);
         const V second_length = sqrt(second_square);
         const V second_i = if_less(V(0), second_length, V(1) / second_length, V(0));
         const V second_arc = (sine * second_i) * arc(V(1) - magnitude(cosine * second_i));
         const V second_angle = if_less(cosine, V(0), with_sign(pi<V>(), sine) - second_arc, second_arc);
-        const V third = plus_angle - minus_angle;
-        const V third_turns = nearest(inverse_two_pi<V>() * third);
-        const V third_rough = fnma(two_pi<V>(), third_turns, third);
+        const V difference = locked_plus - locked_minus;
+        const V third_turns = nearest(inverse_two_pi<V>() * difference);
+        const V third_rough = fnma(two_pi<V>(), third_turns, difference);
+        const V third = fnma(two_pi_rest<V>(), third_turns, third_rough);
         const V alpha = fma(b23, b23, fma(b13, b13, fma(b12, b12, s * s)));
         const V k = V(2) / alpha;
-        out[0] = sign * fnma(two_pi_rest<V>(), first_turns, first_rough);
-        out[1] = sign * second_angle;
-        out[2] = sign * fnma(two_pi_rest<V>(), third_turns, third_rough);
+        out[0] = sign * if_less(pi<V>(), magnitude(first), with_sign(pi<V>(), first), first);
+        out[1] = sign * if_less(half_pi<V>(), magnitude(second_angle), with_sign(half_pi<V>(), second_angle),
+            second_angle);
+        out[2] = sign * if_less(pi<V>(), magnitude(third), with_sign(pi<V>(), third), third);
         out[3] = k * fma(b23, w, fnma(b13, b3i, fnma(b12, b2i, s * b1i)));
         out[4] = k * fnma(b23, b3i, fnma(b13, w, fma(b12, b1i, s * b2i)));
         out[5] = k * fma(b23, b2i, fma(b13, b1i, fma(b12, w, s * b3i)));

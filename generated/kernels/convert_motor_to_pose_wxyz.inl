@@ -15,6 +15,8 @@ struct convert_motor_to_pose_wxyz_each {
     static constexpr int motor_size = 0;
     using inputs = sizes<8>;
     using outputs = sizes<4, 3>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
     // 13 mul + 8 fma + 4 fnma + 1 negate + 1 div + 1 sqrt
     template <class V> static inline void body(const V *in, V *out)

@@ -8,16 +8,18 @@
 // convert motor_to_screw each
 //
 // Forms, all proved equal; operations an element:
-//     closed      107 + 6 div or sqrt   <- chosen
+//     closed      111 + 6 div or sqrt   <- chosen
 struct convert_motor_to_screw_each {
     using arithmetic = convert_motor_to_screw_each;
     static constexpr int fixed_size = 0, constant_size = 0;
     static constexpr int motor_size = 0;
     using inputs = sizes<8>;
     using outputs = sizes<8>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
-    // 37 mul + 1 sub + 13 fma + 12 fnma + 1 negate + 1 at_least + 4 magnitude + 1 with_sign + 9 if_less + 3 div + 3
-    // sqrt + 1 arc + 1 arc_slope: 107 operations in float, 131 in double
+    // 37 mul + 1 sub + 13 fma + 12 fnma + 1 negate + 1 at_least + 5 magnitude + 2 with_sign + 10 if_less + 3 div + 3
+    // sqrt + 1 arc + 1 arc_slope: 111 operations in float, 135 in double
     template <class V> static inline void body(const V *in, V *out)
     {
         const V s = in[0], b12 = in[1], b13 = in[2], b23 = in[3], b1i = in[4], b2i = in[5], b3i = in[6], w = in[7];
@@ -70,13 +72,14 @@ struct convert_motor_to_screw_each {
         const V mx = fnma(axis_x, along, g1i);
         const V py = fnma(axis_x, mz, axis_z * mx);
         const V pz = fnma(axis_y, mx, axis_x * my);
+        const V angle = V(2) * if_less(V(8.673617379884035e-19), half_angle, half_angle, V(0));
         out[0] = axis_x;
         out[1] = axis_y;
         out[2] = axis_z;
         out[3] = lever * px;
         out[4] = lever * py;
         out[5] = lever * pz;
-        out[6] = V(2) * if_less(V(8.673617379884035e-19), half_angle, half_angle, V(0));
+        out[6] = if_less(pi<V>(), magnitude(angle), with_sign(pi<V>(), angle), angle);
         out[7] = V(2) * along;
     }
 };

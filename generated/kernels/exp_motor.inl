@@ -8,7 +8,7 @@
 // exp motor each
 //
 // Forms, all proved equal; operations an element:
-//     reduced     60 + 2 div or sqrt   <- chosen
+//     reduced     71 + 2 div or sqrt   <- chosen
 struct exp_motor_each {
     using arithmetic = exp_motor_each;
     static constexpr int fixed_size = 0, constant_size = 0;
@@ -16,54 +16,61 @@ struct exp_motor_each {
     using inputs = sizes<6>;
     using outputs = sizes<8>;
 
-    // 20 mul + 7 add + 6 sub + 6 fma + 5 fnma + 3 fms + 1 at_least + 1 nearest + 1 div + 1 sqrt + 1 sinc + 1
-    // sinc_slope: 60 operations in float, 69 in double
+    // 20 mul + 7 add + 6 sub + 6 fma + 5 fnma + 3 fms + 1 at_least + 1 nearest + 2 flip_if_odd + 1 refine + 1
+    // trim_unless_fused + 1 unwind + 1 div + 1 sqrt + 1 short_sinc + 1 short_sinc_slope: 71 operations in float, 78
+    // in double
     template <class V> static inline void body(const V *in, V *out)
     {
         const V b12 = in[0], b13 = in[1], b23 = in[2], b1i = in[3], b2i = in[4], b3i = in[5];
-        const V x1 = b12 * b12;
-        const V x2 = fma(b13, b13, x1);
-        const V x = fma(b23, b23, x2);
+        const bivector<V> unwound = unwind(b12, b13, b23, b1i, b2i, b3i);
+        const V x1 = unwound.b12 * unwound.b12;
+        const V x2 = fma(unwound.b13, unwound.b13, x1);
+        const V x = fma(unwound.b23, unwound.b23, x2);
         const V near = sqrt(x);
         const V theta = at_least(near, V(9.094947017729282e-13));
-        const V turns = nearest(inverse_two_pi<V>() * theta);
-        const V reduced = fnma(two_pi<V>(), turns, theta);
+        const V half_turns = nearest(inverse_pi<V>() * theta);
+        const V reduced = fnma(pi<V>(), half_turns, theta);
         const V square_rest = fnma(near, near, x);
-        const V lost1 = fms(b12, b12, x1);
+        const V lost1 = fms(unwound.b12, unwound.b12, x1);
         const V two_part = x2 - x1;
         const V two_rest = x2 - two_part;
         const V two_a = x1 - two_rest;
-        const V two_b = fms(b13, b13, two_part);
+        const V two_b = fms(unwound.b13, unwound.b13, two_part);
         const V lost2 = two_a + two_b;
         const V three_part = x - x2;
         const V three_rest = x - three_part;
         const V three_a = x2 - three_rest;
-        const V three_b = fms(b23, b23, three_part);
+        const V three_b = fms(unwound.b23, unwound.b23, three_part);
         const V lost3 = three_a + three_b;
         const V low = (lost1 + lost2) + lost3;
         const V missing = square_rest + low;
-        const V i = V(1) / theta;
-        const V half_i = V(0.5) * i;
+        const V rough_i = V(1) / theta;
+        const V half_i = V(0.5) * rough_i;
         const V rest = missing * half_i;
-        const V correction = fnma(two_pi_rest<V>(), turns, rest);
+        const V correction = fnma(pi_rest<V>(), half_turns, rest);
         const V r = reduced + correction;
         const V y = r * r;
-        const V sinc_r = sinc(y);
-        const V slope_r = y * sinc_slope(y);
-        const V q = i * sinc_r;
+        const V sinc_r = short_sinc(y);
+        const V signed_sinc = flip_if_odd(sinc_r, half_turns);
+        const V slope_r = y * short_sinc_slope(y);
+        const V signed_slope = flip_if_odd(slope_r, half_turns);
+        const V i = refine(rough_i, theta, rest);
+        const V q = i * signed_sinc;
         const V f = r * q;
-        const V h = fma(b23, b1i, fnma(b13, b2i, b12 * b3i));
+        const rotor<V> trimmed = trim_unless_fused(signed_sinc + signed_slope, unwound.b12 * f, unwound.b13 * f,
+            unwound.b23 * f);
+        const V h = fma(unwound.b23, unwound.b1i, fnma(unwound.b13, unwound.b2i, unwound.b12 * unwound.b3i));
         const V ii = i * i;
-        const V turned = two_pi<V>() * turns;
-        const V bend = fma(q, turned, slope_r);
+        const V turned = pi<V>() * half_turns;
+        const V bend = fma(q, turned, signed_slope);
         const V g = (h * ii) * bend;
-        out[0] = sinc_r + slope_r;
-        out[1] = b12 * f;
-        out[2] = b13 * f;
-        out[3] = b23 * f;
-        out[4] = fma(b23, g, b1i * f);
-        out[5] = fnma(b13, g, b2i * f);
-        out[6] = fma(b12, g, b3i * f);
+        out[0] = trimmed.s;
+        out[1] = trimmed.b12;
+        out[2] = trimmed.b13;
+        out[3] = trimmed.b23;
+        out[4] = fma(unwound.b23, g, unwound.b1i * f);
+        out[5] = fnma(unwound.b13, g, unwound.b2i * f);
+        out[6] = fma(unwound.b12, g, unwound.b3i * f);
         out[7] = f * h;
     }
 };

@@ -15,6 +15,8 @@ struct log_motor_each {
     static constexpr int motor_size = 0;
     using inputs = sizes<8>;
     using outputs = sizes<6>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
     // 19 mul + 1 sub + 7 fma + 6 fnma + 1 magnitude + 1 with_sign + 1 div + 1 sqrt + 1 arc + 1 arc_slope: 54
     // operations in float, 78 in double

@@ -15,6 +15,8 @@ struct log_principal_motor_each {
     static constexpr int motor_size = 0;
     using inputs = sizes<8>;
     using outputs = sizes<6>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
     // 25 mul + 1 add + 1 sub + 11 fma + 8 fnma + 1 magnitude + 1 with_sign + 2 if_less + 2 div + 2 sqrt + 1 arc + 1
     // arc_slope: 71 operations in float, 95 in double

@@ -16,6 +16,8 @@ struct normalize_motor_each {
     static constexpr int motor_size = 0;
     using inputs = sizes<8>;
     using outputs = sizes<8>;
+    static constexpr int degree = 0;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
     // 12 mul + 6 fma + 4 fnma + 1 div + 1 sqrt
     template <class V> static inline void body(const V *in, V *out)

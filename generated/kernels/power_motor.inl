@@ -8,7 +8,7 @@
 // power motor each
 //
 // Forms, all proved equal; operations an element:
-//     logarithm   98 + 2 div or sqrt   <- chosen
+//     logarithm   109 + 2 div or sqrt   <- chosen
 struct power_motor_each {
     using arithmetic = power_motor_each;
     static constexpr int fixed_size = 0, constant_size = 0;
@@ -16,51 +16,21 @@ struct power_motor_each {
     using inputs = sizes<8, 1>;
     using outputs = sizes<8>;
 
-    // 33 mul + 7 add + 7 sub + 7 fma + 7 fnma + 3 fms + 1 at_least + 1 nearest + 1 magnitude + 1 with_sign + 1 div +
-    // 1 sqrt + 1 sinc + 1 sinc_slope + 1 arc + 1 arc_slope: 98 operations in float, 131 in double
+    // 33 mul + 7 add + 7 sub + 7 fma + 7 fnma + 3 fms + 1 at_least + 1 nearest + 1 magnitude + 1 with_sign + 2
+    // flip_if_odd + 1 refine + 1 trim_unless_fused + 1 unwind + 1 div + 1 sqrt + 1 short_sinc + 1 short_sinc_slope +
+    // 1 arc + 1 arc_slope: 109 operations in float, 140 in double
     template <class V> static inline void body(const V *in, V *out)
     {
         const V s = in[0], b12 = in[1], b13 = in[2], b23 = in[3], b1i = in[4], b2i = in[5], b3i = in[6], w = in[7],
             weight = in[8];
         const V z = V(1) - magnitude(s);
         const V f = with_sign(arc(z), s);
-        const V g23 = b23 * f;
-        const V l23 = weight * g23;
-        const V g13 = b13 * f;
-        const V l13 = weight * g13;
         const V g12 = b12 * f;
         const V l12 = weight * g12;
-        const V e_x1 = l12 * l12;
-        const V e_x2 = fma(l13, l13, e_x1);
-        const V e_x = fma(l23, l23, e_x2);
-        const V e_near = sqrt(e_x);
-        const V e_theta = at_least(e_near, V(9.094947017729282e-13));
-        const V e_turns = nearest(inverse_two_pi<V>() * e_theta);
-        const V e_reduced = fnma(two_pi<V>(), e_turns, e_theta);
-        const V e_square_rest = fnma(e_near, e_near, e_x);
-        const V e_lost1 = fms(l12, l12, e_x1);
-        const V e_two_part = e_x2 - e_x1;
-        const V e_two_rest = e_x2 - e_two_part;
-        const V e_two_a = e_x1 - e_two_rest;
-        const V e_two_b = fms(l13, l13, e_two_part);
-        const V e_lost2 = e_two_a + e_two_b;
-        const V e_three_part = e_x - e_x2;
-        const V e_three_rest = e_x - e_three_part;
-        const V e_three_a = e_x2 - e_three_rest;
-        const V e_three_b = fms(l23, l23, e_three_part);
-        const V e_lost3 = e_three_a + e_three_b;
-        const V e_low = (e_lost1 + e_lost2) + e_lost3;
-        const V e_missing = e_square_rest + e_low;
-        const V e_i = V(1) / e_theta;
-        const V e_half_i = V(0.5) * e_i;
-        const V e_rest = e_missing * e_half_i;
-        const V e_correction = fnma(two_pi_rest<V>(), e_turns, e_rest);
-        const V e_r = e_reduced + e_correction;
-        const V e_y = e_r * e_r;
-        const V e_sinc_r = sinc(e_y);
-        const V e_slope_r = e_y * sinc_slope(e_y);
-        const V e_q = e_i * e_sinc_r;
-        const V e_f = e_r * e_q;
+        const V g13 = b13 * f;
+        const V l13 = weight * g13;
+        const V g23 = b23 * f;
+        const V l23 = weight * g23;
         const V g = w * arc_slope(z);
         const V g1i = fnma(b23, g, b1i * f);
         const V l1i = weight * g1i;
@@ -68,18 +38,56 @@ struct power_motor_each {
         const V l2i = weight * g2i;
         const V g3i = fnma(b12, g, b3i * f);
         const V l3i = weight * g3i;
-        const V e_h = fma(l1i, l23, fnma(l13, l2i, l12 * l3i));
+        const bivector<V> e_unwound = unwind(l12, l13, l23, l1i, l2i, l3i);
+        const V e_x1 = e_unwound.b12 * e_unwound.b12;
+        const V e_x2 = fma(e_unwound.b13, e_unwound.b13, e_x1);
+        const V e_x = fma(e_unwound.b23, e_unwound.b23, e_x2);
+        const V e_near = sqrt(e_x);
+        const V e_theta = at_least(e_near, V(9.094947017729282e-13));
+        const V e_half_turns = nearest(inverse_pi<V>() * e_theta);
+        const V e_reduced = fnma(pi<V>(), e_half_turns, e_theta);
+        const V e_square_rest = fnma(e_near, e_near, e_x);
+        const V e_lost1 = fms(e_unwound.b12, e_unwound.b12, e_x1);
+        const V e_two_part = e_x2 - e_x1;
+        const V e_two_rest = e_x2 - e_two_part;
+        const V e_two_a = e_x1 - e_two_rest;
+        const V e_two_b = fms(e_unwound.b13, e_unwound.b13, e_two_part);
+        const V e_lost2 = e_two_a + e_two_b;
+        const V e_three_part = e_x - e_x2;
+        const V e_three_rest = e_x - e_three_part;
+        const V e_three_a = e_x2 - e_three_rest;
+        const V e_three_b = fms(e_unwound.b23, e_unwound.b23, e_three_part);
+        const V e_lost3 = e_three_a + e_three_b;
+        const V e_low = (e_lost1 + e_lost2) + e_lost3;
+        const V e_missing = e_square_rest + e_low;
+        const V e_rough_i = V(1) / e_theta;
+        const V e_half_i = V(0.5) * e_rough_i;
+        const V e_rest = e_missing * e_half_i;
+        const V e_correction = fnma(pi_rest<V>(), e_half_turns, e_rest);
+        const V e_r = e_reduced + e_correction;
+        const V e_y = e_r * e_r;
+        const V e_sinc_r = short_sinc(e_y);
+        const V e_signed_sinc = flip_if_odd(e_sinc_r, e_half_turns);
+        const V e_slope_r = e_y * short_sinc_slope(e_y);
+        const V e_signed_slope = flip_if_odd(e_slope_r, e_half_turns);
+        const V e_i = refine(e_rough_i, e_theta, e_rest);
+        const V e_q = e_i * e_signed_sinc;
+        const V e_f = e_r * e_q;
+        const rotor<V> e_trimmed = trim_unless_fused(e_signed_sinc + e_signed_slope, e_unwound.b12 * e_f,
+            e_unwound.b13 * e_f, e_unwound.b23 * e_f);
+        const V e_h = fma(e_unwound.b23, e_unwound.b1i, fnma(e_unwound.b13, e_unwound.b2i,
+            e_unwound.b12 * e_unwound.b3i));
         const V e_ii = e_i * e_i;
-        const V e_turned = two_pi<V>() * e_turns;
-        const V e_bend = fma(e_q, e_turned, e_slope_r);
+        const V e_turned = pi<V>() * e_half_turns;
+        const V e_bend = fma(e_q, e_turned, e_signed_slope);
         const V e_g = (e_h * e_ii) * e_bend;
-        out[0] = e_sinc_r + e_slope_r;
-        out[1] = l12 * e_f;
-        out[2] = l13 * e_f;
-        out[3] = l23 * e_f;
-        out[4] = fma(l23, e_g, l1i * e_f);
-        out[5] = fnma(l13, e_g, l2i * e_f);
-        out[6] = fma(l12, e_g, l3i * e_f);
+        out[0] = e_trimmed.s;
+        out[1] = e_trimmed.b12;
+        out[2] = e_trimmed.b13;
+        out[3] = e_trimmed.b23;
+        out[4] = fma(e_unwound.b23, e_g, e_unwound.b1i * e_f);
+        out[5] = fnma(e_unwound.b13, e_g, e_unwound.b2i * e_f);
+        out[6] = fma(e_unwound.b12, e_g, e_unwound.b3i * e_f);
         out[7] = e_f * e_h;
     }
 };

@@ -15,6 +15,8 @@ struct ratio_motor_each {
     static constexpr int motor_size = 0;
     using inputs = sizes<8, 8>;
     using outputs = sizes<8>;
+    static constexpr int degree = -1;  // of the result in the length of the motor, which may be any
+    static constexpr bool has_fixed_motor = false;
 
     // 20 mul + 24 fma + 25 fnma + 1 fms + 1 div
     template <class V> static inline void body(const V *in, V *out)

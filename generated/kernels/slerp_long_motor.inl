@@ -8,7 +8,7 @@
 // slerp_long motor each
 //
 // Forms, all proved equal; operations an element:
-//     closed      210 + 4 div or sqrt   <- chosen
+//     closed      221 + 4 div or sqrt   <- chosen
 struct slerp_long_motor_each {
     using arithmetic = slerp_long_motor_each;
     static constexpr int fixed_size = 0, constant_size = 0;
@@ -17,18 +17,19 @@ struct slerp_long_motor_each {
     using outputs = sizes<8>;
 
     // 56 mul + 7 add + 8 sub + 51 fma + 49 fnma + 3 fms + 1 at_least + 1 nearest + 1 magnitude + 1 with_sign + 1
-    // if_less + 2 div + 2 sqrt + 1 sinc + 1 sinc_slope + 1 arc + 1 arc_slope: 210 operations in float, 243 in double
+    // if_less + 2 flip_if_odd + 1 refine + 1 trim_unless_fused + 1 unwind + 2 div + 2 sqrt + 1 short_sinc + 1
+    // short_sinc_slope + 1 arc + 1 arc_slope: 221 operations in float, 252 in double
     template <class V> static inline void body(const V *in, V *out)
     {
         const V f_s = in[0], f_b12 = in[1], f_b13 = in[2], f_b23 = in[3], f_b1i = in[4], f_b2i = in[5], f_b3i = in[6],
             f_w = in[7], s_s = in[8], s_b12 = in[9], s_b13 = in[10], s_b23 = in[11], s_b1i = in[12], s_b2i = in[13],
             s_b3i = in[14], s_w = in[15], weight = in[16];
-        const V b23 = fnma(f_b23, s_s, fnma(f_b13, s_b12, fma(f_b12, s_b13, f_s * s_b23)));
+        const V b12 = fnma(f_b23, s_b13, fma(f_b13, s_b23, fnma(f_b12, s_s, f_s * s_b12)));
         const V b = fma(f_b23, s_b23, fma(f_b13, s_b13, fma(f_b12, s_b12, f_s * s_s)));
         const V shared1 = magnitude(b);
         const V z = V(1) - shared1;
+        const V b23 = fnma(f_b23, s_s, fnma(f_b13, s_b12, fma(f_b12, s_b13, f_s * s_b23)));
         const V b13 = fma(f_b23, s_b12, fnma(f_b13, s_s, fnma(f_b12, s_b23, f_s * s_b13)));
-        const V b12 = fnma(f_b23, s_b13, fma(f_b13, s_b23, fnma(f_b12, s_s, f_s * s_b12)));
         const V square = fma(b23, b23, fma(b13, b13, b12 * b12));
         const V near = sqrt(square);
         const V rough = if_less(V(9.094947017729282e-13), near, V(1) / near, V(0));
@@ -39,47 +40,12 @@ struct slerp_long_motor_each {
         const V pi_over = fma(pi_rest<V>(), i, pi<V>() * i);
         const V missing = arc(z) - pi_over;
         const V f = with_sign(V(1), b) * missing;
-        const V g23 = b23 * f;
-        const V l23 = weight * g23;
-        const V g13 = b13 * f;
-        const V l13 = weight * g13;
         const V g12 = b12 * f;
         const V l12 = weight * g12;
-        const V e_x1 = l12 * l12;
-        const V e_x2 = fma(l13, l13, e_x1);
-        const V e_x = fma(l23, l23, e_x2);
-        const V e_near = sqrt(e_x);
-        const V e_theta = at_least(e_near, V(9.094947017729282e-13));
-        const V e_turns = nearest(inverse_two_pi<V>() * e_theta);
-        const V e_reduced = fnma(two_pi<V>(), e_turns, e_theta);
-        const V e_square_rest = fnma(e_near, e_near, e_x);
-        const V e_lost1 = fms(l12, l12, e_x1);
-        const V e_two_part = e_x2 - e_x1;
-        const V e_two_rest = e_x2 - e_two_part;
-        const V e_two_a = e_x1 - e_two_rest;
-        const V e_two_b = fms(l13, l13, e_two_part);
-        const V e_lost2 = e_two_a + e_two_b;
-        const V e_three_part = e_x - e_x2;
-        const V e_three_rest = e_x - e_three_part;
-        const V e_three_a = e_x2 - e_three_rest;
-        const V e_three_b = fms(l23, l23, e_three_part);
-        const V e_lost3 = e_three_a + e_three_b;
-        const V e_low = (e_lost1 + e_lost2) + e_lost3;
-        const V e_missing = e_square_rest + e_low;
-        const V e_i = V(1) / e_theta;
-        const V e_half_i = V(0.5) * e_i;
-        const V e_rest = e_missing * e_half_i;
-        const V e_correction = fnma(two_pi_rest<V>(), e_turns, e_rest);
-        const V e_r = e_reduced + e_correction;
-        const V e_y = e_r * e_r;
-        const V e_sinc_r = sinc(e_y);
-        const V e_q = e_i * e_sinc_r;
-        const V e_f = e_r * e_q;
-        const V p23 = l23 * e_f;
-        const V p13 = l13 * e_f;
-        const V p12 = l12 * e_f;
-        const V e_slope_r = e_y * sinc_slope(e_y);
-        const V p = e_sinc_r + e_slope_r;
+        const V g13 = b13 * f;
+        const V l13 = weight * g13;
+        const V g23 = b23 * f;
+        const V l23 = weight * g23;
         const V b123i = fma(f_w, s_s, fnma(f_b3i, s_b12, fma(f_b2i, s_b13, fnma(f_b23, s_b1i, fnma(f_b1i, s_b23,
             fma(f_b13, s_b2i, fnma(f_b12, s_b3i, f_s * s_w)))))));
         const V bend = shared1 * pi_over;
@@ -98,34 +64,73 @@ struct slerp_long_motor_each {
             fma(f_b13, s_b1i, fma(f_b12, s_w, f_s * s_b3i)))))));
         const V g3i = fnma(b12, g, b3i * f);
         const V l3i = weight * g3i;
-        const V e_h = fma(l1i, l23, fnma(l13, l2i, l12 * l3i));
+        const bivector<V> e_unwound = unwind(l12, l13, l23, l1i, l2i, l3i);
+        const V e_x1 = e_unwound.b12 * e_unwound.b12;
+        const V e_x2 = fma(e_unwound.b13, e_unwound.b13, e_x1);
+        const V e_x = fma(e_unwound.b23, e_unwound.b23, e_x2);
+        const V e_near = sqrt(e_x);
+        const V e_theta = at_least(e_near, V(9.094947017729282e-13));
+        const V e_half_turns = nearest(inverse_pi<V>() * e_theta);
+        const V e_reduced = fnma(pi<V>(), e_half_turns, e_theta);
+        const V e_square_rest = fnma(e_near, e_near, e_x);
+        const V e_lost1 = fms(e_unwound.b12, e_unwound.b12, e_x1);
+        const V e_two_part = e_x2 - e_x1;
+        const V e_two_rest = e_x2 - e_two_part;
+        const V e_two_a = e_x1 - e_two_rest;
+        const V e_two_b = fms(e_unwound.b13, e_unwound.b13, e_two_part);
+        const V e_lost2 = e_two_a + e_two_b;
+        const V e_three_part = e_x - e_x2;
+        const V e_three_rest = e_x - e_three_part;
+        const V e_three_a = e_x2 - e_three_rest;
+        const V e_three_b = fms(e_unwound.b23, e_unwound.b23, e_three_part);
+        const V e_lost3 = e_three_a + e_three_b;
+        const V e_low = (e_lost1 + e_lost2) + e_lost3;
+        const V e_missing = e_square_rest + e_low;
+        const V e_rough_i = V(1) / e_theta;
+        const V e_half_i = V(0.5) * e_rough_i;
+        const V e_rest = e_missing * e_half_i;
+        const V e_correction = fnma(pi_rest<V>(), e_half_turns, e_rest);
+        const V e_r = e_reduced + e_correction;
+        const V e_y = e_r * e_r;
+        const V e_sinc_r = short_sinc(e_y);
+        const V e_signed_sinc = flip_if_odd(e_sinc_r, e_half_turns);
+        const V e_slope_r = e_y * short_sinc_slope(e_y);
+        const V e_signed_slope = flip_if_odd(e_slope_r, e_half_turns);
+        const V e_i = refine(e_rough_i, e_theta, e_rest);
+        const V e_q = e_i * e_signed_sinc;
+        const V e_f = e_r * e_q;
+        const rotor<V> e_trimmed = trim_unless_fused(e_signed_sinc + e_signed_slope, e_unwound.b12 * e_f,
+            e_unwound.b13 * e_f, e_unwound.b23 * e_f);
+        const V e_h = fma(e_unwound.b23, e_unwound.b1i, fnma(e_unwound.b13, e_unwound.b2i,
+            e_unwound.b12 * e_unwound.b3i));
         const V p123i = e_f * e_h;
         const V e_ii = e_i * e_i;
-        const V e_turned = two_pi<V>() * e_turns;
-        const V e_bend = fma(e_q, e_turned, e_slope_r);
+        const V e_turned = pi<V>() * e_half_turns;
+        const V e_bend = fma(e_q, e_turned, e_signed_slope);
         const V e_g = (e_h * e_ii) * e_bend;
-        const V p3i = fma(l12, e_g, l3i * e_f);
-        const V p2i = fnma(l13, e_g, l2i * e_f);
-        const V p1i = fma(l23, e_g, l1i * e_f);
-        out[0] = fnma(f_b23, p23, fnma(f_b13, p13, fnma(f_b12, p12, f_s * p)));
-        out[1] = fma(f_b23, p13, fnma(f_b13, p23, fma(f_b12, p, f_s * p12)));
-        out[2] = fnma(f_b23, p12, fma(f_b13, p, fma(f_b12, p23, f_s * p13)));
-        out[3] = fma(f_b23, p, fma(f_b13, p12, fnma(f_b12, p13, f_s * p23)));
-        out[4] = fnma(f_w, p23, fnma(f_b3i, p13, fnma(f_b2i, p12, fnma(f_b23, p123i, fma(f_b1i, p, fma(f_b13, p3i,
-            fma(f_b12, p2i, f_s * p1i)))))));
-        out[5] = fma(f_w, p13, fnma(f_b3i, p23, fma(f_b2i, p, fma(f_b23, p3i, fma(f_b1i, p12, fma(f_b13, p123i,
-            fnma(f_b12, p1i, f_s * p2i)))))));
-        out[6] = fnma(f_w, p12, fma(f_b3i, p, fma(f_b2i, p23, fnma(f_b23, p2i, fma(f_b1i, p13, fnma(f_b13, p1i,
-            fnma(f_b12, p123i, f_s * p3i)))))));
-        out[7] = fma(f_w, p, fma(f_b3i, p12, fnma(f_b2i, p13, fma(f_b23, p1i, fma(f_b1i, p23, fnma(f_b13, p2i,
-            fma(f_b12, p3i, f_s * p123i)))))));
+        const V p3i = fma(e_unwound.b12, e_g, e_unwound.b3i * e_f);
+        const V p2i = fnma(e_unwound.b13, e_g, e_unwound.b2i * e_f);
+        const V p1i = fma(e_unwound.b23, e_g, e_unwound.b1i * e_f);
+        out[0] = fnma(f_b23, e_trimmed.b23, fnma(f_b13, e_trimmed.b13, fnma(f_b12, e_trimmed.b12,
+            f_s * e_trimmed.s)));
+        out[1] = fma(f_b23, e_trimmed.b13, fnma(f_b13, e_trimmed.b23, fma(f_b12, e_trimmed.s, f_s * e_trimmed.b12)));
+        out[2] = fnma(f_b23, e_trimmed.b12, fma(f_b13, e_trimmed.s, fma(f_b12, e_trimmed.b23, f_s * e_trimmed.b13)));
+        out[3] = fma(f_b23, e_trimmed.s, fma(f_b13, e_trimmed.b12, fnma(f_b12, e_trimmed.b13, f_s * e_trimmed.b23)));
+        out[4] = fnma(f_w, e_trimmed.b23, fnma(f_b3i, e_trimmed.b13, fnma(f_b2i, e_trimmed.b12, fnma(f_b23, p123i,
+            fma(f_b1i, e_trimmed.s, fma(f_b13, p3i, fma(f_b12, p2i, f_s * p1i)))))));
+        out[5] = fma(f_w, e_trimmed.b13, fnma(f_b3i, e_trimmed.b23, fma(f_b2i, e_trimmed.s, fma(f_b23, p3i, fma(f_b1i,
+            e_trimmed.b12, fma(f_b13, p123i, fnma(f_b12, p1i, f_s * p2i)))))));
+        out[6] = fnma(f_w, e_trimmed.b12, fma(f_b3i, e_trimmed.s, fma(f_b2i, e_trimmed.b23, fnma(f_b23, p2i,
+            fma(f_b1i, e_trimmed.b13, fnma(f_b13, p1i, fnma(f_b12, p123i, f_s * p3i)))))));
+        out[7] = fma(f_w, e_trimmed.s, fma(f_b3i, e_trimmed.b12, fnma(f_b2i, e_trimmed.b13, fma(f_b23, p1i, fma(f_b1i,
+            e_trimmed.b23, fnma(f_b13, p2i, fma(f_b12, p3i, f_s * p123i)))))));
     }
 };
 
 // slerp_long motor one
 //
 // Forms, all proved equal; operations an element (and once a batch):
-//     closed      114 + 2 div or sqrt  (96 + 2 div or sqrt)   <- chosen
+//     closed      125 + 2 div or sqrt  (96 + 2 div or sqrt)   <- chosen
 struct slerp_long_motor_one {
     using arithmetic = slerp_long_motor_one;
     static constexpr int fixed_size = 16, constant_size = 14;
@@ -140,12 +145,12 @@ struct slerp_long_motor_one {
         const V f_s = fixed[0], f_b12 = fixed[1], f_b13 = fixed[2], f_b23 = fixed[3], f_b1i = fixed[4],
             f_b2i = fixed[5], f_b3i = fixed[6], f_w = fixed[7], s_s = fixed[8], s_b12 = fixed[9], s_b13 = fixed[10],
             s_b23 = fixed[11], s_b1i = fixed[12], s_b2i = fixed[13], s_b3i = fixed[14], s_w = fixed[15];
-        const V b23 = fnma(f_b23, s_s, fnma(f_b13, s_b12, fma(f_b12, s_b13, f_s * s_b23)));
+        const V b12 = fnma(f_b23, s_b13, fma(f_b13, s_b23, fnma(f_b12, s_s, f_s * s_b12)));
         const V b = fma(f_b23, s_b23, fma(f_b13, s_b13, fma(f_b12, s_b12, f_s * s_s)));
         const V shared1 = magnitude(b);
         const V z = V(1) - shared1;
+        const V b23 = fnma(f_b23, s_s, fnma(f_b13, s_b12, fma(f_b12, s_b13, f_s * s_b23)));
         const V b13 = fma(f_b23, s_b12, fnma(f_b13, s_s, fnma(f_b12, s_b23, f_s * s_b13)));
-        const V b12 = fnma(f_b23, s_b13, fma(f_b13, s_b23, fnma(f_b12, s_s, f_s * s_b12)));
         const V square = fma(b23, b23, fma(b13, b13, b12 * b12));
         const V near = sqrt(square);
         const V rough = if_less(V(9.094947017729282e-13), near, V(1) / near, V(0));
@@ -156,9 +161,9 @@ struct slerp_long_motor_one {
         const V pi_over = fma(pi_rest<V>(), i, pi<V>() * i);
         const V missing = arc(z) - pi_over;
         const V f = with_sign(V(1), b) * missing;
-        const V g23 = b23 * f;
-        const V g13 = b13 * f;
         const V g12 = b12 * f;
+        const V g13 = b13 * f;
+        const V g23 = b23 * f;
         const V b123i = fma(f_w, s_s, fnma(f_b3i, s_b12, fma(f_b2i, s_b13, fnma(f_b23, s_b1i, fnma(f_b1i, s_b23,
             fma(f_b13, s_b2i, fnma(f_b12, s_b3i, f_s * s_w)))))));
         const V bend = shared1 * pi_over;
@@ -190,75 +195,80 @@ struct slerp_long_motor_one {
         constant[13] = g3i;
     }
 
-    // 34 mul + 7 add + 6 sub + 28 fma + 23 fnma + 3 fms + 1 at_least + 1 nearest + 1 div + 1 sqrt + 1 sinc + 1
-    // sinc_slope: 114 operations in float, 123 in double
+    // 34 mul + 7 add + 6 sub + 28 fma + 23 fnma + 3 fms + 1 at_least + 1 nearest + 2 flip_if_odd + 1 refine + 1
+    // trim_unless_fused + 1 unwind + 1 div + 1 sqrt + 1 short_sinc + 1 short_sinc_slope: 125 operations in float, 132
+    // in double
     template <class V> static inline void body(const V *constant, const V *in, V *out)
     {
         const V f_b12 = constant[0], f_b13 = constant[1], f_b1i = constant[2], f_b23 = constant[3],
             f_b2i = constant[4], f_b3i = constant[5], f_s = constant[6], f_w = constant[7], g12 = constant[8],
             g13 = constant[9], g1i = constant[10], g23 = constant[11], g2i = constant[12], g3i = constant[13];
         const V weight = in[0];
-        const V l23 = g23 * weight;
-        const V l13 = g13 * weight;
         const V l12 = g12 * weight;
-        const V e_x1 = l12 * l12;
-        const V e_x2 = fma(l13, l13, e_x1);
-        const V e_x = fma(l23, l23, e_x2);
+        const V l13 = g13 * weight;
+        const V l23 = g23 * weight;
+        const V l1i = g1i * weight;
+        const V l2i = g2i * weight;
+        const V l3i = g3i * weight;
+        const bivector<V> e_unwound = unwind(l12, l13, l23, l1i, l2i, l3i);
+        const V e_x1 = e_unwound.b12 * e_unwound.b12;
+        const V e_x2 = fma(e_unwound.b13, e_unwound.b13, e_x1);
+        const V e_x = fma(e_unwound.b23, e_unwound.b23, e_x2);
         const V e_near = sqrt(e_x);
         const V e_theta = at_least(e_near, V(9.094947017729282e-13));
-        const V e_turns = nearest(inverse_two_pi<V>() * e_theta);
-        const V e_reduced = fnma(two_pi<V>(), e_turns, e_theta);
+        const V e_half_turns = nearest(inverse_pi<V>() * e_theta);
+        const V e_reduced = fnma(pi<V>(), e_half_turns, e_theta);
         const V e_square_rest = fnma(e_near, e_near, e_x);
-        const V e_lost1 = fms(l12, l12, e_x1);
+        const V e_lost1 = fms(e_unwound.b12, e_unwound.b12, e_x1);
         const V e_two_part = e_x2 - e_x1;
         const V e_two_rest = e_x2 - e_two_part;
         const V e_two_a = e_x1 - e_two_rest;
-        const V e_two_b = fms(l13, l13, e_two_part);
+        const V e_two_b = fms(e_unwound.b13, e_unwound.b13, e_two_part);
         const V e_lost2 = e_two_a + e_two_b;
         const V e_three_part = e_x - e_x2;
         const V e_three_rest = e_x - e_three_part;
         const V e_three_a = e_x2 - e_three_rest;
-        const V e_three_b = fms(l23, l23, e_three_part);
+        const V e_three_b = fms(e_unwound.b23, e_unwound.b23, e_three_part);
         const V e_lost3 = e_three_a + e_three_b;
         const V e_low = (e_lost1 + e_lost2) + e_lost3;
         const V e_missing = e_square_rest + e_low;
-        const V e_i = V(1) / e_theta;
-        const V e_half_i = V(0.5) * e_i;
+        const V e_rough_i = V(1) / e_theta;
+        const V e_half_i = V(0.5) * e_rough_i;
         const V e_rest = e_missing * e_half_i;
-        const V e_correction = fnma(two_pi_rest<V>(), e_turns, e_rest);
+        const V e_correction = fnma(pi_rest<V>(), e_half_turns, e_rest);
         const V e_r = e_reduced + e_correction;
         const V e_y = e_r * e_r;
-        const V e_sinc_r = sinc(e_y);
-        const V e_q = e_i * e_sinc_r;
+        const V e_sinc_r = short_sinc(e_y);
+        const V e_signed_sinc = flip_if_odd(e_sinc_r, e_half_turns);
+        const V e_slope_r = e_y * short_sinc_slope(e_y);
+        const V e_signed_slope = flip_if_odd(e_slope_r, e_half_turns);
+        const V e_i = refine(e_rough_i, e_theta, e_rest);
+        const V e_q = e_i * e_signed_sinc;
         const V e_f = e_r * e_q;
-        const V p23 = l23 * e_f;
-        const V p13 = l13 * e_f;
-        const V p12 = l12 * e_f;
-        const V e_slope_r = e_y * sinc_slope(e_y);
-        const V p = e_sinc_r + e_slope_r;
-        const V l1i = g1i * weight;
-        const V l2i = g2i * weight;
-        const V l3i = g3i * weight;
-        const V e_h = fma(l1i, l23, fnma(l13, l2i, l12 * l3i));
+        const rotor<V> e_trimmed = trim_unless_fused(e_signed_sinc + e_signed_slope, e_unwound.b12 * e_f,
+            e_unwound.b13 * e_f, e_unwound.b23 * e_f);
+        const V e_h = fma(e_unwound.b23, e_unwound.b1i, fnma(e_unwound.b13, e_unwound.b2i,
+            e_unwound.b12 * e_unwound.b3i));
         const V p123i = e_f * e_h;
         const V e_ii = e_i * e_i;
-        const V e_turned = two_pi<V>() * e_turns;
-        const V e_bend = fma(e_q, e_turned, e_slope_r);
+        const V e_turned = pi<V>() * e_half_turns;
+        const V e_bend = fma(e_q, e_turned, e_signed_slope);
         const V e_g = (e_h * e_ii) * e_bend;
-        const V p3i = fma(l12, e_g, l3i * e_f);
-        const V p2i = fnma(l13, e_g, l2i * e_f);
-        const V p1i = fma(l23, e_g, l1i * e_f);
-        out[0] = fnma(f_b23, p23, fnma(f_b13, p13, fnma(f_b12, p12, f_s * p)));
-        out[1] = fma(f_b23, p13, fnma(f_b13, p23, fma(f_b12, p, f_s * p12)));
-        out[2] = fnma(f_b23, p12, fma(f_b13, p, fma(f_b12, p23, f_s * p13)));
-        out[3] = fma(f_b23, p, fma(f_b13, p12, fnma(f_b12, p13, f_s * p23)));
-        out[4] = fnma(f_w, p23, fnma(f_b3i, p13, fnma(f_b2i, p12, fnma(f_b23, p123i, fma(f_b1i, p, fma(f_b13, p3i,
-            fma(f_b12, p2i, f_s * p1i)))))));
-        out[5] = fma(f_w, p13, fnma(f_b3i, p23, fma(f_b2i, p, fma(f_b23, p3i, fma(f_b1i, p12, fma(f_b13, p123i,
-            fnma(f_b12, p1i, f_s * p2i)))))));
-        out[6] = fnma(f_w, p12, fma(f_b3i, p, fma(f_b2i, p23, fnma(f_b23, p2i, fma(f_b1i, p13, fnma(f_b13, p1i,
-            fnma(f_b12, p123i, f_s * p3i)))))));
-        out[7] = fma(f_w, p, fma(f_b3i, p12, fnma(f_b2i, p13, fma(f_b23, p1i, fma(f_b1i, p23, fnma(f_b13, p2i,
-            fma(f_b12, p3i, f_s * p123i)))))));
+        const V p3i = fma(e_unwound.b12, e_g, e_unwound.b3i * e_f);
+        const V p2i = fnma(e_unwound.b13, e_g, e_unwound.b2i * e_f);
+        const V p1i = fma(e_unwound.b23, e_g, e_unwound.b1i * e_f);
+        out[0] = fnma(f_b23, e_trimmed.b23, fnma(f_b13, e_trimmed.b13, fnma(f_b12, e_trimmed.b12,
+            f_s * e_trimmed.s)));
+        out[1] = fma(f_b23, e_trimmed.b13, fnma(f_b13, e_trimmed.b23, fma(f_b12, e_trimmed.s, f_s * e_trimmed.b12)));
+        out[2] = fnma(f_b23, e_trimmed.b12, fma(f_b13, e_trimmed.s, fma(f_b12, e_trimmed.b23, f_s * e_trimmed.b13)));
+        out[3] = fma(f_b23, e_trimmed.s, fma(f_b13, e_trimmed.b12, fnma(f_b12, e_trimmed.b13, f_s * e_trimmed.b23)));
+        out[4] = fnma(f_w, e_trimmed.b23, fnma(f_b3i, e_trimmed.b13, fnma(f_b2i, e_trimmed.b12, fnma(f_b23, p123i,
+            fma(f_b1i, e_trimmed.s, fma(f_b13, p3i, fma(f_b12, p2i, f_s * p1i)))))));
+        out[5] = fma(f_w, e_trimmed.b13, fnma(f_b3i, e_trimmed.b23, fma(f_b2i, e_trimmed.s, fma(f_b23, p3i, fma(f_b1i,
+            e_trimmed.b12, fma(f_b13, p123i, fnma(f_b12, p1i, f_s * p2i)))))));
+        out[6] = fnma(f_w, e_trimmed.b12, fma(f_b3i, e_trimmed.s, fma(f_b2i, e_trimmed.b23, fnma(f_b23, p2i,
+            fma(f_b1i, e_trimmed.b13, fnma(f_b13, p1i, fnma(f_b12, p123i, f_s * p3i)))))));
+        out[7] = fma(f_w, e_trimmed.s, fma(f_b3i, e_trimmed.b12, fnma(f_b2i, e_trimmed.b13, fma(f_b23, p1i, fma(f_b1i,
+            e_trimmed.b23, fnma(f_b13, p2i, fma(f_b12, p3i, f_s * p123i)))))));
     }
 };

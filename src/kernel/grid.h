@@ -25,7 +25,7 @@ inline void load_matrices(const call<T, E> &c, const any_stream<const T, motor_s
         motors.load_partial(first, first < c.rows ? static_cast<int>(c.rows - first) : 0, fixed);
     for (int n = motor_size; n < K::fixed_size; ++n)
         fixed[n] = vector<T>(c.fixed[n - motor_size]);
-    K::template prologue<vector<T>>(fixed, constant);
+    run_prologue<K>(fixed, constant);
 }
 
 // Where the images of element i are, as streams.

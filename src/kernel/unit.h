@@ -1,13 +1,13 @@
 // One unit an instruction set includes this: the generated kernels, the loops over them, and the table of both.
 #pragma once
 
+#include "angles.h"
 #include "loop.h"
 
 namespace motorway {
 namespace MOTORWAY_ISA_NAME {
 namespace {
 
-#include "../../generated/kernels/approximations.inl"
 #include "../../generated/kernels/apply_bivector.inl"
 #include "../../generated/kernels/apply_direction.inl"
 #include "../../generated/kernels/apply_line.inl"

@@ -14,7 +14,8 @@ namespace {
 using motor = scalar_motor<double>;
 using bivector = scalar_bivector<double>;
 
-// Newton's method squares what is missing, in epsilons, so what is left after one more round is rounding alone.
+// Newton's method squares what is missing of rotations, and of translations a round later. So once so many epsilons are
+// missing, what is left after this round and another is rounding alone.
 constexpr double almost = 256;
 constexpr int most_rounds = 50;
 
@@ -165,8 +166,10 @@ template <class T> bool find_cumulative(const workspace &work, const T *times)
 {
     std::copy_n(work.controls, work.count, work.keys);
     for (int round = 0; round < most_rounds; ++round)
-        if (improve(work, times) <= almost)
+        if (improve(work, times) <= almost) {
+            improve(work, times);
             return true;
+        }
     return false;
 }
 
