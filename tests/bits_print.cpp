@@ -1,6 +1,6 @@
-// Prints a line for each family of functions, precision and instruction set that runs here, with a hash of its results
-// on random inputs, special ones among them. What flags the library was compiled with must not show: tests/flags
-// compares what two libraries print.
+// Prints a line for each family of functions and precision, with a hash of its results on random inputs, special ones
+// among them, by the instruction set that MOTORWAY_ISA says. With what flags the library was compiled must not show:
+// compare_bits.cmake links this with another library and compares.
 
 #include <cfloat>
 #include <cstdio>
@@ -11,7 +11,6 @@
 
 #include "apply_api.h"
 #include "convert_api.h"
-#include "isas.h"
 #include "kernel_list.h"
 #include "kernel_tester.h"
 #include "motion_tester.h"
@@ -38,7 +37,7 @@ public:
 
     void print(const std::string &of) const
     {
-        std::printf("%s %s %016llx\n", mw_isa(), of.c_str(), static_cast<unsigned long long>(value_));
+        std::printf("%s %016llx\n", of.c_str(), static_cast<unsigned long long>(value_));
     }
 
 private:
@@ -225,12 +224,14 @@ void print_all()
 int main()
 {
     using namespace motorway::testing;
+    if (!mw_isa()) {
+        std::fprintf(stderr, "%s\n", mw_status_text(MW_ERROR_ISA));
+        return 1;
+    }
     // Whether the process still has denormal numbers, which a library that is linked with -ffast-math takes from it.
     volatile float smallest = FLT_MIN;
     std::printf("denormal numbers: %s\n", smallest / 2 > 0 ? "kept" : "lost");
-    for (const std::string &isa : running_isas()) {
-        ScopedIsa scope(isa);
-        print_all<float>();
-        print_all<double>();
-    }
+    std::printf("%s\n", mw_isa());
+    print_all<float>();
+    print_all<double>();
 }
