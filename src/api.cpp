@@ -2,8 +2,10 @@
 #include "kernel_call.h"
 #include "motion/description.h"
 #include "motorway.h"
+#include "scalar_math.h"
 #include "view.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace motorway {
@@ -100,13 +102,13 @@ template <class T, class Motor> mw_status rotation(Motor *out, const T *axis, T 
     const bool finite = std::isfinite(axis[0]) && std::isfinite(axis[1]) && std::isfinite(axis[2]) &&
                         std::isfinite(angle) && std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
     // Scaled by its largest component first, so that no square over- or underflows.
-    const double largest = std::fmax(std::fmax(std::fabs(axis[0]), std::fabs(axis[1])), std::fabs(axis[2]));
+    const double largest = double(std::max(std::max(std::fabs(axis[0]), std::fabs(axis[1])), std::fabs(axis[2])));
     if (!finite || largest == 0)
         return MW_ERROR_AXIS;
     const double a[3] = {axis[0] / largest, axis[1] / largest, axis[2] / largest};
-    const double length = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-    const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle) / length;
-    const double x = s * a[0], y = s * a[1], z = s * a[2];
+    const double length = square_root(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    const auto [sine, c] = sine_and_cosine(0.5 * angle);
+    const double s = sine / length, x = s * a[0], y = s * a[1], z = s * a[2];
     *out = {T(c),
             T(z),
             T(-y),

@@ -1,7 +1,6 @@
 #include "dispatch.h"
 
 #include <atomic>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -34,17 +33,27 @@ struct implementation {
     bool (*runs)();
 };
 
-// Best first.
+// Best first. A CPU that runs one of them runs all that follow.
 const implementation implementations[] = {
 #define MOTORWAY_ISA(name) {&kernels_##name, runs_##name},
 #include "isa_list.inc"
 };
+constexpr std::size_t implementation_count = sizeof implementations / sizeof *implementations;
+
+// The best that runs here.
+std::size_t best_implementation()
+{
+    std::size_t best = 0;
+    while (!implementations[best].runs()) // the last one does
+        ++best;
+    return best;
+}
 
 const kernel_table *find_isa(const char *name)
 {
-    for (const implementation &candidate : implementations)
-        if (candidate.runs() && (!name || std::strcmp(name, candidate.table->isa) == 0))
-            return candidate.table;
+    for (std::size_t k = best_implementation(); k < implementation_count; ++k)
+        if (!name || std::strcmp(name, implementations[k].table->isa) == 0)
+            return implementations[k].table;
     return nullptr;
 }
 
@@ -54,38 +63,50 @@ const char *requested_isa()
     return name && *name ? name : nullptr;
 }
 
-// A line of text that is made once.
-struct text {
+// A line that ends with the names of the instruction sets from one on. Made by the compiler: what is made at the first
+// call takes the guards of the C++ library, which a program in C does not link.
+struct line {
     char characters[256] = {};
     std::size_t length = 0;
 
-    void append(const char *more)
+    constexpr void append(const char *more)
     {
-        const int written = std::snprintf(characters + length, sizeof characters - length, "%s", more);
-        length += static_cast<std::size_t>(written);
-        if (length >= sizeof characters)
-            length = sizeof characters - 1;
+        while (*more)
+            characters[length++] = *more++;
     }
 };
 
-text make_isa_names()
+constexpr line make_line(const char *beginning, std::size_t first)
 {
-    text names;
-    for (const implementation &candidate : implementations)
-        if (candidate.runs()) {
-            names.append(names.length ? ", " : "");
-            names.append(candidate.table->isa);
-        }
-    return names;
+    const char *const names[] = {
+#define MOTORWAY_ISA(name) #name,
+#include "isa_list.inc"
+    };
+    line made;
+    made.append(beginning);
+    for (std::size_t k = first; k < implementation_count; ++k) {
+        made.append(k > first ? ", " : "");
+        made.append(names[k]);
+    }
+    return made;
 }
 
-text make_isa_error()
+// A line for each that may be the best.
+struct lines {
+    line of[implementation_count];
+};
+
+constexpr lines make_lines(const char *beginning)
 {
-    text error;
-    error.append("MOTORWAY_ISA asks for an instruction set that cannot run here; unset it, or set it to one of: ");
-    error.append(isa_names());
-    return error;
+    lines made{};
+    for (std::size_t k = 0; k < implementation_count; ++k)
+        made.of[k] = make_line(beginning, k);
+    return made;
 }
+
+constexpr lines names = make_lines("");
+constexpr lines errors =
+    make_lines("MOTORWAY_ISA asks for an instruction set that cannot run here; unset it, or set it to one of: ");
 
 // Selected if MOTORWAY_ISA asked for what cannot run. It has no name.
 const kernel_table nothing{};
@@ -116,16 +137,8 @@ bool select_isa(const char *name)
     return table != nullptr;
 }
 
-const char *isa_names()
-{
-    static const text names = make_isa_names();
-    return names.characters;
-}
+const char *isa_names() { return names.of[best_implementation()].characters; }
 
-const char *isa_error()
-{
-    static const text error = make_isa_error();
-    return error.characters;
-}
+const char *isa_error() { return errors.of[best_implementation()].characters; }
 
 } // namespace motorway

@@ -2,6 +2,7 @@
 #include "nearest_rotation.h"
 #include "stream_calls.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -138,7 +139,7 @@ template <class T> double deviation_of(const matrices<const T> &m, std::size_t i
     const auto dot = [](const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
     for (int a = 0; a < 3; ++a)
         for (int b = a; b < 3; ++b)
-            largest = std::fmax(largest, std::fabs(dot(column[a], column[b]) - (a == b ? 1 : 0)));
+            largest = std::max(largest, std::fabs(dot(column[a], column[b]) - (a == b ? 1 : 0)));
     const double *x = column[0], *y = column[1];
     const double normal[3] = {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
     const bool is_rotation = finite && dot(normal, column[2]) > 0;
@@ -157,7 +158,7 @@ mw_status check_matrices(const matrices<const T> &in, std::size_t count, T toler
     double largest = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const double distance = deviation_of(in, i);
-        largest = std::fmax(largest, distance);
+        largest = std::max(largest, distance);
         if (status == MW_OK && !(distance <= tolerance)) {
             status = MW_ERROR_MATRIX;
             if (first_bad)

@@ -60,9 +60,23 @@ extern "C" {
 #pragma GCC visibility push(default)
 #endif
 
+/* In C++ a cast that no compiler warns of. */
+#ifdef __cplusplus
+#define MW_CAST(type, value) reinterpret_cast<type>(value)
+#else
+#define MW_CAST(type, value) ((type)(value))
+#endif
+
+/* Of an enumeration: four bytes, with -fshort-enums too, so that a program and the library always agree. */
+#ifdef __GNUC__
+#define MW_ENUMERATION __attribute__((__mode__(__SI__)))
+#else
+#define MW_ENUMERATION
+#endif
+
 /* ------------------------------------------------------------------------------------------------- status --- */
 
-typedef enum mw_status {
+typedef enum MW_ENUMERATION mw_status {
     MW_OK = 0,
     MW_ERROR_NULL,             /* a null pointer with a nonzero count */
     MW_ERROR_STRIDE,           /* a stride smaller than the element: components of one view share bytes */
@@ -178,19 +192,21 @@ typedef struct mw_motor_f64 { double s, b12, b13, b23, b1i, b2i, b3i, w; } mw_mo
     use(ax, T) use(ay, T) use(az, T) use(px, T) use(py, T) use(pz, T) use(angle, T) use(distance, T)
 
 #define MW_DECLARE(component, T) T *component;
-#define MW_SET_ADJACENT(component, T) view.component = first ? (T *)first + k++ : NULL;
+#define MW_SET_NUMBER(component, T) view.component = first ? first + k++ : NULL;
+#define MW_SET_MEMBER(component, T) view.component = first ? &first->component : NULL;
 #define MW_SET_ARRAY(component, T) view.component = components[k++];
 #define MW_ADVANCE(component, T)                                                                                      \
     if (view.component)                                                                                               \
-        view.component = (T *)((uintptr_t)view.component + begin * view.stride);
+        view.component = MW_CAST(T *, MW_CAST(uintptr_t, view.component) + begin * view.stride);
 
-#define MW_DEFINE_VIEW(view_type, components_of, T, element, soa)                                                     \
+#define MW_DEFINE_VIEW(view_type, components_of, T, element, set, soa)                                                \
     typedef struct view_type { components_of(MW_DECLARE, T) size_t stride; } view_type;                               \
     static inline view_type view_type##_aos(element *first, size_t stride)                                            \
     {                                                                                                                 \
         view_type view;                                                                                               \
         int k = 0;                                                                                                    \
-        components_of(MW_SET_ADJACENT, T) view.stride = stride;                                                       \
+        components_of(set, T) view.stride = stride;                                                                   \
+        (void)k;                                                                                                      \
         return view;                                                                                                  \
     }                                                                                                                 \
     static inline view_type view_type##soa(T *const *components)                                                      \
@@ -205,21 +221,22 @@ typedef struct mw_motor_f64 { double s, b12, b13, b23, b1i, b2i, b3i, w; } mw_mo
         components_of(MW_ADVANCE, T) return view;                                                                     \
     }
 
-/* Of every view, the four versions. `element` is what its packed form is an array of. */
-#define MW_DEFINE_VIEWS(name, element_f32, element_f64, soa)                                                          \
-    MW_DEFINE_VIEW(mw_##name##_f32, MW_COMPONENTS_##name, float, element_f32, soa)                                    \
-    MW_DEFINE_VIEW(mw_##name##_f64, MW_COMPONENTS_##name, double, element_f64, soa)                                   \
-    MW_DEFINE_VIEW(mw_const_##name##_f32, MW_COMPONENTS_##name, const float, const element_f32, soa)                  \
-    MW_DEFINE_VIEW(mw_const_##name##_f64, MW_COMPONENTS_##name, const double, const element_f64, soa)
+/* Of every view, the four versions. `element` is what its packed form is an array of: of numbers, or of structs whose
+ * members are the components. */
+#define MW_DEFINE_VIEWS(name, element_f32, element_f64, set, soa)                                                     \
+    MW_DEFINE_VIEW(mw_##name##_f32, MW_COMPONENTS_##name, float, element_f32, set, soa)                               \
+    MW_DEFINE_VIEW(mw_##name##_f64, MW_COMPONENTS_##name, double, element_f64, set, soa)                              \
+    MW_DEFINE_VIEW(mw_const_##name##_f32, MW_COMPONENTS_##name, const float, const element_f32, set, soa)             \
+    MW_DEFINE_VIEW(mw_const_##name##_f64, MW_COMPONENTS_##name, const double, const element_f64, set, soa)
 
-MW_DEFINE_VIEWS(xyz, float, double, _soa_of)
-MW_DEFINE_VIEWS(xyzw, float, double, _soa)
-MW_DEFINE_VIEWS(vectors, float, double, _soa)
-MW_DEFINE_VIEWS(lines, float, double, _soa)
-MW_DEFINE_VIEWS(motors, mw_motor_f32, mw_motor_f64, _soa)
-MW_DEFINE_VIEWS(bivectors, float, double, _soa)
-MW_DEFINE_VIEWS(dual_quaternions, float, double, _soa)
-MW_DEFINE_VIEWS(screws, float, double, _soa)
+MW_DEFINE_VIEWS(xyz, float, double, MW_SET_NUMBER, _soa_of)
+MW_DEFINE_VIEWS(xyzw, float, double, MW_SET_NUMBER, _soa)
+MW_DEFINE_VIEWS(vectors, float, double, MW_SET_NUMBER, _soa)
+MW_DEFINE_VIEWS(lines, float, double, MW_SET_NUMBER, _soa)
+MW_DEFINE_VIEWS(motors, mw_motor_f32, mw_motor_f64, MW_SET_MEMBER, _soa)
+MW_DEFINE_VIEWS(bivectors, float, double, MW_SET_NUMBER, _soa)
+MW_DEFINE_VIEWS(dual_quaternions, float, double, MW_SET_NUMBER, _soa)
+MW_DEFINE_VIEWS(screws, float, double, MW_SET_NUMBER, _soa)
 
 #define MW_DEFINE_XYZ_SOA(view_type, T)                                                                               \
     static inline view_type view_type##_soa(T *x, T *y, T *z)                                                         \
@@ -277,7 +294,8 @@ MW_DEFINE_VERTICES(mw_const_vertices_f64, mw_const_xyz_f64)
 #undef MW_COMPONENTS_dual_quaternions
 #undef MW_COMPONENTS_screws
 #undef MW_DECLARE
-#undef MW_SET_ADJACENT
+#undef MW_SET_NUMBER
+#undef MW_SET_MEMBER
 #undef MW_SET_ARRAY
 #undef MW_ADVANCE
 #undef MW_DEFINE_VIEW
@@ -288,7 +306,7 @@ MW_DEFINE_VERTICES(mw_const_vertices_f64, mw_const_xyz_f64)
 
 /* One index an element, into a palette of motors: at byte offset i * stride from `first`, of any alignment, so that it
  * may be a field of a vertex. */
-typedef enum mw_index_type { MW_INDEX_U8 = 1, MW_INDEX_U16 = 2, MW_INDEX_U32 = 4 } mw_index_type;
+typedef enum MW_ENUMERATION mw_index_type { MW_INDEX_U8 = 1, MW_INDEX_U16 = 2, MW_INDEX_U32 = 4 } mw_index_type;
 typedef struct mw_indices { const void *first; size_t stride; mw_index_type type; } mw_indices;
 
 static inline mw_indices mw_indices_u8(const uint8_t *first, size_t stride)
@@ -312,7 +330,7 @@ static inline mw_indices mw_indices_u32(const uint32_t *first, size_t stride)
 static inline mw_indices mw_indices_from(mw_indices indices, size_t begin)
 {
     if (indices.first)
-        indices.first = (const char *)indices.first + begin * indices.stride;
+        indices.first = MW_CAST(const char *, indices.first) + begin * indices.stride;
     return indices;
 }
 
@@ -321,7 +339,7 @@ static inline mw_indices mw_indices_from(mw_indices indices, size_t begin)
  * are. 4 x 4 matrices have the last row 0 0 0 1, which is written but not read. Libraries in which rows are
  * multiplied from the left (p' = p M, as DirectX has it) keep the transpose: their 4 x 4 matrices by rows are ours by
  * columns, their 4 x 3 ones ours of 3 x 4 by columns. docs/conventions.md has a table. */
-typedef enum mw_matrix_layout {
+typedef enum MW_ENUMERATION mw_matrix_layout {
     MW_MATRIX_ROWS_3X4 = 1, /* 12 numbers: r00 r01 r02 tx  r10 ... */
     MW_MATRIX_ROWS_4X4,     /* 16 numbers: r00 r01 r02 tx  r10 ...  0 0 0 1 */
     MW_MATRIX_COLUMNS_3X4,  /* 12 numbers: r00 r10 r20  r01 ...  tx ty tz */
@@ -343,7 +361,7 @@ typedef struct mw_const_matrices_f64 {
 /* Three angles, about the axes in the order named, each axis turned by the rotations before it (intrinsic). About axes
  * that stay fixed, the same three angles in the opposite order are the same rotation: fixed x, y, z is
  * MW_EULER_ZYX with the angles reversed. */
-typedef enum mw_euler_order {
+typedef enum MW_ENUMERATION mw_euler_order {
     MW_EULER_XYZ, MW_EULER_XZY, MW_EULER_YXZ, MW_EULER_YZX, MW_EULER_ZXY, MW_EULER_ZYX, /* the second in ±π/2 */
     MW_EULER_XYX, MW_EULER_XZX, MW_EULER_YXY, MW_EULER_YZY, MW_EULER_ZXZ, MW_EULER_ZYZ  /* the second in [0, π] */
 } mw_euler_order;
@@ -752,7 +770,7 @@ mw_status mw_blend_motor_each_f64(mw_motors_f64 out, const mw_const_motors_f64 *
 enum { MW_MAX_DEGREE = 31 };
 
 /* How a motion makes a pose of its controls S_0 ... S_n. N_k(t) are the B-spline functions of its degree and knots. */
-typedef enum mw_motion_kind {
+typedef enum MW_ENUMERATION mw_motion_kind {
     /* Σ N_k(t) w_k S_k: the paper's section 4 and equation (5). The fastest by far; a point moves on a rational curve of
      * twice the degree. Of two poses: an ellipse, on the cylinder of the screw between them (lemma 4.1). Samples are not
      * normalised: mw_apply_* needs no normalised motors, and mw_normalize_motor_each makes them so. */
@@ -997,6 +1015,8 @@ mw_status mw_split_motion_f32(mw_motion_f32 *before, mw_motion_arrays_f32 before
 mw_status mw_split_motion_f64(mw_motion_f64 *before, mw_motion_arrays_f64 before_arrays, mw_motion_f64 *after,
                               mw_motion_arrays_f64 after_arrays, const mw_motion_f64 *motion, double at);
 
+#undef MW_CAST
+#undef MW_ENUMERATION
 #ifdef __GNUC__
 #pragma GCC visibility pop
 #endif

@@ -1,5 +1,8 @@
 #include "nearest_rotation.h"
 
+#include "scalar_math.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace motorway {
@@ -26,8 +29,8 @@ void rotate(square &k, square &vectors, int p, int q)
     if (k[p][q] == 0)
         return;
     const double cotangent = (k[q][q] - k[p][p]) / (2 * k[p][q]);
-    const double t = std::copysign(1 / (std::fabs(cotangent) + std::hypot(1, cotangent)), cotangent);
-    const double c = 1 / std::hypot(1, t), s = t * c;
+    const double t = std::copysign(1 / (std::fabs(cotangent) + length_of(1, cotangent, 0)), cotangent);
+    const double c = 1 / square_root(1 + t * t), s = t * c;
     const auto turn = [c, s](double &a, double &b) {
         const double old = a;
         a = c * old - s * b;
@@ -49,7 +52,7 @@ double largest_of(const double (&m)[3][3])
         for (double value : row) {
             if (!std::isfinite(value))
                 return NAN;
-            largest = std::fmax(largest, std::fabs(value));
+            largest = std::max(largest, std::fabs(value));
         }
     return largest;
 }
@@ -58,12 +61,10 @@ double largest_of(const double (&m)[3][3])
 void scale(const double (&m)[3][3], double (&scaled)[3][3])
 {
     const double size = largest_of(m);
-    int exponent = 0;
-    if (std::isfinite(size))
-        std::frexp(size, &exponent);
+    const int exponent = size > 0 && std::isfinite(size) ? exponent_of(size) : 0;
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c)
-            scaled[r][c] = std::isfinite(size) ? std::ldexp(m[r][c], -exponent) : size;
+            scaled[r][c] = std::isfinite(size) ? times_power_of_two(m[r][c], -exponent) : size;
 }
 
 } // namespace

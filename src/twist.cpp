@@ -1,5 +1,6 @@
 // Wareham and Lasenby's parts of a generator, and its motion in closed form. Scalar, in double.
 #include "motorway.h"
+#include "scalar_math.h"
 
 #include <cmath>
 
@@ -19,7 +20,7 @@ vector3 cross(const vector3 &a, const vector3 &b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-double length(const vector3 &a) { return std::hypot(a.x, a.y, a.z); }
+double length(const vector3 &a) { return length_of(a.x, a.y, a.z); }
 bool is_finite(const vector3 &a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
 template <class T> vector3 vector_of(const T (&v)[3]) { return {v[0], v[1], v[2]}; }
@@ -55,7 +56,8 @@ template <class Twist> mw_status check_twist(const Twist *twist, double lambda)
     return finite && std::fabs(length(axis) - 1) <= unit_tolerance ? MW_OK : MW_ERROR_AXIS;
 }
 
-double sinc(double x) { return x == 0 ? 1 : std::sin(x) / x; }
+// sin x / x, of the sine that is known.
+double sinc(double x, double sine) { return x == 0 ? 1 : sine / x; }
 
 // exp(λB) = τ + sinc(λψ/2) λ across e∞ / 2, with the twist τ = (cos λψ/2 + sin λψ/2 axis e123)(1 + λ along e∞ / 2).
 template <class T, class Motor, class Twist> mw_status twist_pose(Motor *out, const Twist *twist, T lambda)
@@ -63,9 +65,10 @@ template <class T, class Motor, class Twist> mw_status twist_pose(Motor *out, co
     const mw_status status = out ? check_twist(twist, lambda) : MW_ERROR_NULL;
     if (status != MW_OK)
         return status;
-    const double half = double(lambda) * twist->angle / 2, c = std::cos(half), s = std::sin(half);
+    const double half = double(lambda) * twist->angle / 2;
+    const auto [s, c] = sine_and_cosine(half);
     const vector3 axis = vector_of(twist->axis), along = vector_of(twist->along), across = vector_of(twist->across);
-    const vector3 ideal = lambda / 2.0 * (c * along + sinc(half) * across);
+    const vector3 ideal = lambda / 2.0 * (c * along + sinc(half, s) * across);
     const double w = lambda / 2.0 * s * dot(axis, along);
     const double numbers[8] = {c, s * axis.z, -s * axis.y, s * axis.x, ideal.x, ideal.y, ideal.z, w};
     T *const component = reinterpret_cast<T *>(out);
@@ -82,8 +85,9 @@ template <class T, class Twist> mw_status twist_position(T *out, const Twist *tw
         return status;
     const double half = double(lambda) * twist->angle / 2;
     const vector3 axis = vector_of(twist->axis), along = vector_of(twist->along), across = vector_of(twist->across);
-    const vector3 turned = std::cos(half) * across + std::sin(half) * cross(axis, across);
-    assign(out, double(lambda) * (sinc(half) * turned + along));
+    const auto [s, c] = sine_and_cosine(half);
+    const vector3 turned = c * across + s * cross(axis, across);
+    assign(out, double(lambda) * (sinc(half, s) * turned + along));
     return MW_OK;
 }
 

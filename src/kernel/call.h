@@ -1,6 +1,8 @@
 // What api.cpp and the kernels say to each other: plain data, no functions, so that nothing of it is linked twice.
 #pragma once
 
+#include "../strict_math.h"
+
 #include <cstddef>
 
 namespace motorway {

@@ -4,6 +4,11 @@
 #include "angles.h"
 #include "loop.h"
 
+#if (defined(MOTORWAY_ISA_scalar) || defined(MOTORWAY_ISA_sse2)) && (defined(__AVX__) || defined(__FMA__)) ||         \
+    defined(MOTORWAY_ISA_avx2) && defined(__AVX512F__)
+#error "This unit must be compiled for its own instruction set and no more: append the flags of src/flags.cmake."
+#endif
+
 namespace motorway {
 namespace MOTORWAY_ISA_NAME {
 namespace {

@@ -59,7 +59,7 @@ inline scalar_bivector<double> apply(const matrix3 &map, const scalar_bivector<d
 // The angle φ that exp(b) turns by: ad b has the eigenvalues 0 and ±iφ.
 inline double turning_angle(const scalar_bivector<double> &b)
 {
-    return 2 * std::sqrt(b.b12 * b.b12 + b.b13 * b.b13 + b.b23 * b.b23);
+    return 2 * square_root(b.b12 * b.b12 + b.b13 * b.b13 + b.b23 * b.b23);
 }
 
 // f(ad b) = f(0) + (Im f(iφ) / φ) ad b + ((f(0) - Re f(iφ)) / φ²) (ad b)². Where φ is all but zero, f(0).
@@ -76,8 +76,8 @@ inline matrix3 function_of_adjoint(const scalar_bivector<double> &b, double at_z
 // x -> D x D^-1 with D = exp(power b).
 inline matrix3 conjugation(const scalar_bivector<double> &b, double power)
 {
-    const double angle = power * turning_angle(b);
-    return function_of_adjoint(b, 1, std::cos(angle), std::sin(angle));
+    const auto [sine, cosine] = sine_and_cosine(power * turning_angle(b));
+    return function_of_adjoint(b, 1, cosine, sine);
 }
 
 // The derivative of a power: to first order (exp(x) exp(b))^c = exp(map x) exp(cb). The map is
@@ -85,8 +85,9 @@ inline matrix3 conjugation(const scalar_bivector<double> &b, double power)
 inline matrix3 power_derivative(const scalar_bivector<double> &b, double c)
 {
     const double half = turning_angle(b) / 2, rest = (c - 1) * half;
-    const double ratio = half > 0x1p-100 ? std::sin(c * half) / std::sin(half) : c;
-    return function_of_adjoint(b, c, ratio * std::cos(rest), ratio * std::sin(rest));
+    const double ratio = half > 0x1p-100 ? sine_and_cosine(c * half).sine / sine_and_cosine(half).sine : c;
+    const auto [sine, cosine] = sine_and_cosine(rest);
+    return function_of_adjoint(b, c, ratio * cosine, ratio * sine);
 }
 
 } // namespace motorway

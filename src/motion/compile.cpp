@@ -84,13 +84,13 @@ bool are_on_one_side(const quaternion *q, std::size_t count)
 {
     quaternion mean{};
     for (std::size_t k = 0; k < count; ++k) {
-        const double inverse = 1 / std::sqrt(dot(q[k], q[k]));
+        const double inverse = 1 / square_root(dot(q[k], q[k]));
         for (int n = 0; n < 4; ++n)
             mean.c[n] += inverse * q[k].c[n];
     }
-    const double length = std::sqrt(dot(mean, mean));
+    const double length = square_root(dot(mean, mean));
     for (std::size_t k = 0; k < count; ++k)
-        if (!(dot(q[k], mean) > 1e-3 * length * std::sqrt(dot(q[k], q[k]))))
+        if (!(dot(q[k], mean) > 1e-3 * length * square_root(dot(q[k], q[k]))))
             return false;
     return true;
 }
@@ -147,10 +147,10 @@ bool blend_vanishes(const timeline<T> &times, std::size_t span, const quaternion
         return false;
     double largest = 0;
     for (std::size_t k = 0; k <= times.degree; ++k)
-        largest = std::max(largest, std::sqrt(dot(control[k], control[k])));
+        largest = std::max(largest, square_root(dot(control[k], control[k])));
     quaternion bezier[MW_MAX_DEGREE + 1];
     write_bezier_points(times, span, control, bezier);
-    return comes_near_zero(bezier, times.degree + 1, largest * std::sqrt(std::numeric_limits<T>::epsilon()), 40);
+    return comes_near_zero(bezier, times.degree + 1, largest * square_root(std::numeric_limits<T>::epsilon()), 40);
 }
 
 template <class T>
@@ -222,7 +222,7 @@ template <class T> compiled_header header_of(const motion_of<T> &motion)
 template <class T> T inverse_of(T length)
 {
     const T inverse = T(1) / length;
-    return inverse * length < 1 ? std::nextafter(inverse, std::numeric_limits<T>::infinity()) : inverse;
+    return inverse * length < 1 ? next_above(inverse) : inverse;
 }
 
 template <class T> void write_span(const timeline<T> &times, std::size_t span, T *out)

@@ -134,7 +134,7 @@ linear_motion linearize(const workspace &work, double time)
 }
 
 motor shortest(const motor &m) { return m.s < 0 ? m * -1.0 : m; }
-double length(double a, double b, double c) { return std::sqrt(a * a + b * b + c * c); }
+double length(double a, double b, double c) { return square_root(a * a + b * b + c * c); }
 
 // One round. Returns by how many epsilons the worst key was missed before it: by its rotation, or by its translation
 // beside that of the key that is furthest away.
@@ -154,7 +154,7 @@ template <class T> double improve(const workspace &work, const T *times)
         const bivector b = work.missing[i] = log(shortest(key * reverse(motion.pose)));
         turn = std::max(turn, length(b.b12, b.b13, b.b23));
         shift = std::max(shift, length(b.b1i, b.b2i, b.b3i));
-        reach = std::max(reach, std::hypot(length(key.b1i, key.b2i, key.b3i), key.w));
+        reach = std::max(reach, length_of(length(key.b1i, key.b2i, key.b3i), key.w, 0));
     }
     equations.solve(work.missing);
     for (std::size_t k = 0; k < work.count; ++k)

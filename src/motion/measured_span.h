@@ -4,6 +4,7 @@
 // smooth, but for kinks where it touches zero: there pieces are halved until what is uncertain no longer counts.
 #pragma once
 
+#include "../scalar_math.h"
 #include "sample.h"
 
 namespace motorway {
@@ -16,7 +17,7 @@ struct vector3 {
 
 inline double length_of(const vector3 &v, double w = 0)
 {
-    return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z + w * w);
+    return square_root(v.x * v.x + v.y * v.y + v.z * v.z + w * w);
 }
 
 // 2 (b1i, b2i, b3i) + ω × place with ω = 2 (b23, -b13, b12).
@@ -97,7 +98,7 @@ inline double integral(const double *values, const double *beside)
 {
     double factors[rule_size], sum = 0;
     for (std::size_t i = 0; i < rule_size; ++i) {
-        const double factor = std::sqrt((1 - rule_nodes[i] * rule_nodes[i]) * rule_weights[i]);
+        const double factor = square_root((1 - rule_nodes[i] * rule_nodes[i]) * rule_weights[i]);
         factors[i] = i % 2 ? -factor : factor;
     }
     for (std::size_t i = 0; i < rule_size; ++i) {
@@ -138,7 +139,7 @@ template <class T> class measured_span {
 
 public:
     measured_span(const moving_point<T> &of, T begin, T end)
-        : point(of), first(begin), before_last(std::nextafter(end, begin)),
+        : point(of), first(begin), before_last(next_below(end)),
           resolution(epsilon * std::max(std::fabs(double(begin)), std::fabs(double(end))))
     {
         piece &whole = pieces[0];

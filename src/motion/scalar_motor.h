@@ -1,8 +1,10 @@
-// One motor at a time, by libm: for what is done once a control, not once a sample.
+// One motor at a time, in double: for what is done once a control, not once a sample.
 //
 // ω = e123∞ commutes with motors and squares to zero, so a function of a bivector is one of the dual number
 // θ - (h/θ) ω, where B² = -θ² + 2hω (Wareham and Lasenby, theorems 3 and 9).
 #pragma once
+
+#include "../scalar_math.h"
 
 #include <cmath>
 
@@ -90,7 +92,7 @@ template <class T> T alpha(const scalar_motor<T> &m) { return rotations_dot(m, m
 // S / √(S̄S): the same motion with S̄S = 1, and the sign of s.
 template <class T> scalar_motor<T> normalized(const scalar_motor<T> &m)
 {
-    const T r = 1 / std::sqrt(alpha(m)), half_beta = m.s * m.w - m.b12 * m.b3i + m.b13 * m.b2i - m.b23 * m.b1i;
+    const T r = 1 / square_root(alpha(m)), half_beta = m.s * m.w - m.b12 * m.b3i + m.b13 * m.b2i - m.b23 * m.b1i;
     const T q = half_beta * r * r;
     return scalar_motor<T>{m.s,
                            m.b12,
@@ -116,8 +118,9 @@ template <class T> T sinc_slope(T theta, T cosine, T sinc)
 
 template <class T> scalar_motor<T> exp(const scalar_bivector<T> &b)
 {
-    const T theta = std::sqrt(b.b12 * b.b12 + b.b13 * b.b13 + b.b23 * b.b23);
-    const T cosine = std::cos(theta), f = theta > 0 ? std::sin(theta) / theta : T(1);
+    const T theta = square_root(b.b12 * b.b12 + b.b13 * b.b13 + b.b23 * b.b23);
+    const auto [sine, cosine] = sine_and_cosine(theta);
+    const T f = theta > 0 ? sine / theta : T(1);
     const T h = b.b12 * b.b3i - b.b13 * b.b2i + b.b23 * b.b1i, g = h * sinc_slope(theta, cosine, f);
     return {cosine,
             b.b12 * f,
@@ -134,10 +137,10 @@ template <class T> scalar_motor<T> exp(const scalar_bivector<T> &b)
 // log(-m).
 template <class T> scalar_bivector<T> log(const scalar_motor<T> &m)
 {
-    const T sine = std::sqrt(m.b12 * m.b12 + m.b13 * m.b13 + m.b23 * m.b23);
+    const T sine = square_root(m.b12 * m.b12 + m.b13 * m.b13 + m.b23 * m.b23);
     if (m.s < 0 && sine <= T(0x1p-40))
         return log(m * T(-1));
-    const T theta = std::atan2(sine, m.s), f = sine > 0 ? theta / sine : T(1);
+    const T theta = angle_of(m.s, sine), f = sine > 0 ? theta / sine : T(1);
     const T g = m.w * sinc_slope(theta, m.s, 1 / f) * f * f * f;
     return {m.b12 * f, m.b13 * f, m.b23 * f, m.b1i * f - m.b23 * g, m.b2i * f + m.b13 * g, m.b3i * f - m.b12 * g};
 }
