@@ -144,10 +144,11 @@ enum {
     MW_ROTATION_MATRICES = 512
 };
 
-/* How far a matrix may be from a rotation and a translation to be taken for one: the largest element of |RᵀR - 1|.
- * Matrices written with four decimals, or with six in double, are within it (1.74e-4, 1.74e-6), and so are products of
- * ten thousand rotations; those with a scale of 1.0001, or of a millionth more than 1 in double, are not (2e-4, 2e-6).
- * That is 1510 and 8e9 epsilons. The motor is off by no more than half of it, in radians. */
+/* How far a matrix may be from a rotation and a translation to be taken for one: the largest element of |RᵀR - 1|, 1510
+ * epsilons of float, and 8e9 of double. Matrices written with four decimals, in double with six, are within it (up to
+ * 1.74e-4, 1.74e-6), and so are products of a thousand rotations. A scale of 1.0001, in double of 1.000001, is not
+ * (2e-4, 2e-6). Nor is what has been float on its way to double and was multiplied often there: MW_NEAREST_ROTATION is
+ * for that. The angle of the motor is off by less than twice the distance, in radians: 0.02 degrees at most. */
 #define MW_MATRIX_TOLERANCE_F32 1.8e-4f
 #define MW_MATRIX_TOLERANCE_F64 1.8e-6
 
@@ -639,8 +640,8 @@ mw_status mw_convert_dual_quaternion_to_motor_each_f64(mw_motors_f64 out, mw_con
 
 /* Matrices. All are looked at before any is converted, and one that is no rotation and translation is
  * MW_ERROR_MATRIX: then *first_bad (unless that pointer is null) is the number of the first, and nothing is written.
- * What is meant is the distance of mw_check_matrices, and MW_MATRIX_TOLERANCE_F32 or _F64. That costs MATRIX_CHECK_COST
- * With MW_ROTATION_MATRICES none is looked at.
+ * What is meant is the distance of mw_check_matrices, and MW_MATRIX_TOLERANCE_F32 or _F64. That costs about 4 ns a
+ * matrix of floats and 7 of doubles, where the conversion takes 2 and 5. With MW_ROTATION_MATRICES none is looked at.
  * With MW_NEAREST_ROTATION comes the rotation nearest to R, in the sum of the squares of the differences: that of a
  * matrix with scale and shear, and of one that reflects as long as a single rotation is nearest. MW_ERROR_MATRIX where
  * none is (a mirror image, which is as near to all its half turns; what leaves no plane of space), of projections, and
