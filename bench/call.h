@@ -57,6 +57,8 @@ public:
             return constants_.order;
         else if constexpr (std::is_same_v<P, T>)
             return unit_of_length;
+        else if constexpr (std::is_same_v<P, std::size_t *>) // where the number of the first bad element would go
+            return nullptr;
         else if constexpr (std::is_same_v<P, const typename api<T>::motor *>)
             return fixed_motors(problem_.fixed) + fixed_++;
         else if constexpr (std::is_same_v<P, std::size_t>)

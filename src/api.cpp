@@ -156,7 +156,8 @@ const char *mw_status_text(mw_status status)
                "are in bytes";
     case MW_ERROR_SIZE: return "count times stride is larger than the address space";
     case MW_ERROR_OVERLAP:
-        return "the output shares bytes with an input; pass exactly the same view to work in place, else keep them apart";
+        return "the output shares bytes with another element of an input, or with what is read as a whole; in place, "
+               "elements of both lie over each other with the same stride, else keep them apart";
     case MW_ERROR_FLAGS:
         return "a flag that this function does not know, or two that contradict each other; pass MW_DEFAULT or flags "
                "named in its text";
@@ -189,8 +190,9 @@ const char *mw_status_text(mw_status status)
         return "no control poses were found whose motion passes through the keys; add keys where rotations are large";
     case MW_ERROR_PARENT: return "the parent of a joint must come before it, or be negative for a root";
     case MW_ERROR_MATRIX:
-        return "a matrix is no rotation and translation: it is not orthonormal within the tolerance, reflects, or is not "
-               "finite; MW_NEAREST_ROTATION takes the rotation nearest to it";
+        return "a matrix is no rotation and translation: it scales, shears, reflects or projects, or is not finite; keep "
+               "its scale beside the motor, or take the nearest rotation by MW_NEAREST_ROTATION, which a mirror image, a "
+               "projection and what is not finite do not have";
     case MW_ERROR_MATRIX_LAYOUT: return "a matrix layout is one of mw_matrix_layout";
     case MW_ERROR_EULER_ORDER: return "an order of Euler angles is one of mw_euler_order";
     case MW_ERROR_SCALE: return "a length scale must be finite and not zero, and its inverse too";

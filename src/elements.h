@@ -102,10 +102,8 @@ template <class T, int N, int Parts> mw_status check_output(const elements<T, N,
 {
     const mw_status status = check_parts(e, count);
     if constexpr (Parts == 2)
-        if (status == MW_OK) {
-            const view<const T, N> second = e.part[1].as_const();
-            return is_same(e.part[0], second) ? MW_ERROR_OVERLAP : check_overlap(e.part[0], second, count);
-        }
+        if (status == MW_OK)
+            return check_apart(e.part[0], e.part[1].as_const(), count);
     return status;
 }
 

@@ -14,13 +14,8 @@ template <class T, class E, int N, int Parts> struct kernel_call {
 
     kernel_call(const elements<E, N, Parts> &out, const elements<const E, N, Parts> &in, std::size_t count,
                 bool streaming, const T *fixed)
-        : to(out), from(in)
+        : to(out), from(in), arguments{to.part, from.part, count, fixed, streaming}
     {
-        arguments.out = to.part;
-        arguments.in = from.part;
-        arguments.count = count;
-        arguments.streaming = streaming;
-        arguments.fixed = fixed;
     }
     kernel_call(const kernel_call &) = delete;
 };
@@ -30,11 +25,7 @@ void run_blend(const kernel_table &table, kernel_id id, const view<T, 8> &out, c
                const T *controls, std::size_t terms, std::size_t count)
 {
     const stream<T> to = out.as_stream();
-    call<T> arguments;
-    arguments.out = &to;
-    arguments.in = in;
-    arguments.count = count;
-    arguments.fixed = controls;
+    call<T> arguments{&to, in, count, controls};
     arguments.terms = terms;
     find<T>(table, id)(arguments);
 }

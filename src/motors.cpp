@@ -57,6 +57,16 @@ mw_status motors_shared(const kernel_choice &kernel, std::size_t count, const vi
 
 // ------------------------------------------------------------------------------------------------------ hierarchies
 
+// Whether no motor of `out` has a byte in common with a motor of `locals` but that of the same joint and instance.
+template <class T>
+bool is_in_place(const view<T, 8> &out, const view<const T, 8> &locals, const grid_shape &shape)
+{
+    std::size_t cell = std::min(out.stride, shape.row_stride);
+    if (shape.rows == 1 || shape.count == 1)
+        cell = shape.rows == 1 ? out.stride : shape.row_stride;
+    return is_same(out, locals) || (out.stride == locals.stride && share_a_cell(out, locals, cell));
+}
+
 template <class T>
 mw_status check_hierarchy(const view<T, 8> &out, const view<const T, 8> &locals, const grid_shape &shape,
                           const std::int32_t *parents, std::size_t *first_bad)
@@ -72,7 +82,7 @@ mw_status check_hierarchy(const view<T, 8> &out, const view<const T, 8> &locals,
         return status;
     const byte_range range = range_of(out, shape);
     if (range.meets(range_of(parents, shape.rows)) ||
-        (!is_same(out, locals) && range.meets(range_of(locals, shape))))
+        (range.meets(range_of(locals, shape)) && !is_in_place(out, locals, shape)))
         return MW_ERROR_OVERLAP;
     for (std::size_t joint = 0; joint < shape.rows; ++joint)
         if (parents[joint] >= 0 && static_cast<std::size_t>(parents[joint]) >= joint) {
@@ -87,9 +97,13 @@ template <class T> void copy_motors(const view<T, 8> &to, const view<const T, 8>
 {
     if (is_same(to, from))
         return;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
+        T motor[8]; // read whole before it is written: the two may share bytes
         for (int c = 0; c < 8; ++c)
-            __builtin_memcpy(to.from(i).component[c], from.from(i).component[c], sizeof(T));
+            __builtin_memcpy(&motor[c], from.from(i).component[c], sizeof(T));
+        for (int c = 0; c < 8; ++c)
+            __builtin_memcpy(to.from(i).component[c], &motor[c], sizeof(T));
+    }
 }
 
 // Instances that are taken through all joints before the next are begun: few enough that a parent is still in the
@@ -120,11 +134,7 @@ mw_status hierarchy(const view<T, 8> &out, const view<const T, 8> &locals, std::
                 const view<const T, 8> world = out.moved_by(parent * joint_stride).from(begin).as_const();
                 const stream<T> to_stream = to.as_stream();
                 const stream<const T> from[] = {local.as_stream(), world.as_stream()};
-                call<T> arguments;
-                arguments.out = &to_stream;
-                arguments.in = from;
-                arguments.count = some;
-                compose(arguments);
+                compose(call<T>{&to_stream, from, some});
             }
         }
     return MW_OK;

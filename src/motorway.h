@@ -28,8 +28,12 @@
  * - `count` is the number of elements; 0 is allowed, reads and writes nothing, and then pointers may be null.
  * - Nothing is read but the elements of the inputs, nothing written but the elements of `out`: not a byte between
  *   or past them. Nothing at all is written unless MW_OK is returned.
- * - An input may be `out` itself (the same pointers and stride): that works in place. Interleaved views of one
- *   buffer, which have the same stride and no byte in common, are fine. Anything else is MW_ERROR_OVERLAP.
+ * - In place: an element of `out` may share bytes with the same element of an input, in any way, if both views have
+ *   the same stride (or the count is 1) and the same precision. An input may be `out` itself, its components in the
+ *   same order or in another; matrices may be written over the motors that they are made of, in slots of 16 numbers.
+ *   Views that lie between each other in one buffer and have no byte in common are fine as well. What is
+ *   MW_ERROR_OVERLAP: an element of `out` over another element of an input, over what a call reads as a whole (one
+ *   motor, a palette, indices, controls, one parameter for all), or over another output.
  * - Time is linear in the count, and memory is constant: no function allocates, locks, starts a thread or keeps
  *   state. All may be called from any thread at once: split a batch over threads by _from.
  * - An element of the result depends on its own inputs alone, to the last bit: not on its place, the count, the
@@ -81,7 +85,7 @@ typedef enum MW_ENUMERATION mw_status {
     MW_ERROR_NULL,             /* a null pointer with a nonzero count */
     MW_ERROR_STRIDE,           /* a stride smaller than the element: components of one view share bytes */
     MW_ERROR_SIZE,             /* count times stride overflows the address space */
-    MW_ERROR_OVERLAP,          /* `out` shares bytes with an input without being exactly that input */
+    MW_ERROR_OVERLAP,          /* `out` shares bytes with an input, and not in place; or with another output */
     MW_ERROR_FLAGS,            /* a flag that this function does not know, or two that contradict each other */
     MW_ERROR_INDEX,            /* an index that is not below the number of motors in the palette */
     MW_ERROR_INDEX_TYPE,       /* not one of mw_index_type */
@@ -102,8 +106,8 @@ typedef enum MW_ENUMERATION mw_status {
     MW_ERROR_MOTION_INDEX,     /* a motion beyond the motion_count of the compiled ones */
     MW_ERROR_CONVERGENCE,      /* no controls were found whose motion passes through the keys */
     MW_ERROR_PARENT,           /* a joint whose parent does not come before it */
-    MW_ERROR_MATRIX,           /* a matrix that is no rotation and translation: not orthonormal within the tolerance, a
-                                  reflection, or not finite */
+    MW_ERROR_MATRIX,           /* a matrix that is no rotation and translation: with scale, shear, a reflection or a
+                                  projection, or not finite */
     MW_ERROR_MATRIX_LAYOUT,    /* not one of mw_matrix_layout */
     MW_ERROR_EULER_ORDER,      /* not one of mw_euler_order */
     MW_ERROR_SCALE,            /* a length scale that is zero or not finite */
@@ -138,7 +142,7 @@ enum {
     MW_NO_STREAMING_STORES = 4,
     /* Interpolation takes the long way round: by the rotation of more than a half turn. */
     MW_LONG_WAY = 8,
-    /* A matrix need not be orthonormal: the rotation nearest to it is taken. */
+    /* A matrix need not be orthonormal: the rotation nearest to it is taken, where there is one. */
     MW_NEAREST_ROTATION = 16,
     /* Controls of a motion keep their signs: S and -S are the same pose, but the ways between poses differ. */
     MW_KEEP_SIGNS = 32,
@@ -147,8 +151,20 @@ enum {
     MW_CLAMP_PARAMETERS = 64,
     MW_WRAP_PARAMETERS = 128,
     /* Twists in the frame of the moving body, not of the space. */
-    MW_BODY_FRAME = 256
+    MW_BODY_FRAME = 256,
+    /* The caller promises that every matrix is a rotation and a translation, as mw_check_matrices finds it with the
+     * tolerance below. None is looked at. If one is not, its motor is wrong: of a matrix with the scale 2, a rotation
+     * by another angle. */
+    MW_ROTATION_MATRICES = 512
 };
+
+/* How far a matrix may be from a rotation and a translation to be taken for one: the largest element of |RᵀR - 1|, 1510
+ * epsilons of float, and 8e9 of double. Matrices written with four decimals, in double with six, are within it (up to
+ * 1.74e-4, 1.74e-6), and so are products of a thousand rotations. A scale of 1.0001, in double of 1.000001, is not
+ * (2e-4, 2e-6). Nor is what has been float on its way to double and was multiplied often there: MW_NEAREST_ROTATION is
+ * for that. The angle of the motor is off by less than twice the distance, in radians: 0.02 degrees at most. */
+#define MW_MATRIX_TOLERANCE_F32 1.8e-4f
+#define MW_MATRIX_TOLERANCE_F64 1.8e-6
 
 /* What a call reads and writes together from which on its results bypass the caches. */
 enum { MW_STREAMING_BYTES = 32 << 20 };
@@ -336,7 +352,7 @@ static inline mw_indices mw_indices_from(mw_indices indices, size_t begin)
 
 /* Matrices of rotations and translations, which act on columns: p' = R p + t. Element (r, c) of matrix i is at byte
  * offset i * stride from first[4 r + c] where rows are adjacent, from first[3 c + r] or first[4 c + r] where columns
- * are. 4 x 4 matrices have the last row 0 0 0 1, which is written but not read. Libraries in which rows are
+ * are. 4 x 4 matrices have the last row 0 0 0 1, which is written, and looked at. Libraries in which rows are
  * multiplied from the left (p' = p M, as DirectX has it) keep the transpose: their 4 x 4 matrices by rows are ours by
  * columns, their 4 x 3 ones ours of 3 x 4 by columns. docs/conventions.md has a table. */
 typedef enum MW_ENUMERATION mw_matrix_layout {
@@ -496,9 +512,9 @@ mw_status mw_compose_motor_one_then_f64(mw_motors_f64 out, mw_const_motors_f64 f
  * j * joint_stride bytes after those of joint 0, of locals and of out alike: instances side by side
  * (joint_stride >= count * stride) are a lane each, which is the fast way; skeletons one after the other have
  * stride >= joint_count * joint_stride.
- * In place if locals is out with the same joint_stride. MW_ERROR_NULL, MW_ERROR_STRIDE (also joints that run into
- * each other), MW_ERROR_SIZE, MW_ERROR_OVERLAP; MW_ERROR_PARENT if parents[j] >= j, and then *first_bad (unless that
- * pointer is null) is j. */
+ * In place if locals is out; or if a motor of each, such as two fields of a joint, lies within the smaller of the two
+ * strides. MW_ERROR_NULL, MW_ERROR_STRIDE (also joints that run into each other), MW_ERROR_SIZE, MW_ERROR_OVERLAP;
+ * MW_ERROR_PARENT if parents[j] >= j, and then *first_bad (unless that pointer is null) is j. */
 mw_status mw_compose_motor_hierarchy_f32(mw_motors_f32 out, mw_const_motors_f32 locals, size_t joint_stride,
                                          const int32_t *parents, size_t joint_count, size_t count,
                                          size_t *first_bad);
@@ -612,12 +628,13 @@ mw_status mw_nlerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, c
  *
  * Wherever there is a rotation and a translation, the rotation acts first: p' = R p + t. Every rotation has two
  * motors, S and -S: of matrices comes the one with s >= 0, of angles that of half of each, so that a full turn
- * more changes the sign, and of quaternions the one with their sign. Motors to be converted need not be normalised, and those made of normalised input are.
+ * more changes the sign, and of quaternions the one with their sign. Motors to be converted need not be normalised,
+ * and those made of normalised input are. A motor holds no scale: docs/conventions.md says what to do with one.
  * All: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP; degenerate motors: see mw_check_motors.
  * Error: a few epsilons of the rotation, and of the translation relative to its length; docs/accuracy.md. */
 
 /* Unit quaternions and translations. The sign of the motor is that of the quaternion, and a quaternion of any other
- * length makes a motor of that length, of the same motion: w + z e12 - y e13 + x e23, and then 1 + ½ t e∞. */
+ * length but zero makes a motor of that length, of the same motion: w + z e12 - y e13 + x e23, and then 1 + ½ t e∞. */
 mw_status mw_convert_motor_to_pose_each_f32(mw_xyzw_f32 quaternions, mw_xyz_f32 translations,
                                             mw_const_motors_f32 motors, size_t count);
 mw_status mw_convert_motor_to_pose_each_f64(mw_xyzw_f64 quaternions, mw_xyz_f64 translations,
@@ -628,7 +645,8 @@ mw_status mw_convert_pose_to_motor_each_f64(mw_motors_f64 out, mw_const_xyzw_f64
                                             mw_const_xyz_f64 translations, size_t count);
 
 /* Dual quaternions r + εd with d = ½ t r, as engines and skinning have them: r = (b23, -b13, b12; s) and
- * d = (b1i, b2i, b3i; -w). Exact. */
+ * d = (b1i, b2i, b3i; -w). Exact. Of any length, and also where r and d are not orthogonal, as in sums of dual
+ * quaternions: the motor turns as r does and then moves by the vector part of 2 d r* / |r|², as in skinning. */
 mw_status mw_convert_motor_to_dual_quaternion_each_f32(mw_dual_quaternions_f32 out, mw_const_motors_f32 motors,
                                                        size_t count);
 mw_status mw_convert_motor_to_dual_quaternion_each_f64(mw_dual_quaternions_f64 out, mw_const_motors_f64 motors,
@@ -638,28 +656,36 @@ mw_status mw_convert_dual_quaternion_to_motor_each_f32(mw_motors_f32 out, mw_con
 mw_status mw_convert_dual_quaternion_to_motor_each_f64(mw_motors_f64 out, mw_const_dual_quaternions_f64 in,
                                                        size_t count);
 
-/* Matrices. From a matrix that is not quite orthonormal comes a normalised motor of about its rotation; with
- * MW_NEAREST_ROTATION that of the rotation nearest to it, in the sum of the squares of the differences, of any matrix
- * (of a reflection too): slower by far, one after the other, by Jacobi's method in double. Also
- * MW_ERROR_MATRIX_LAYOUT, and from matrices MW_ERROR_FLAGS. */
+/* Matrices. All are looked at before any is converted, and one that is no rotation and translation is
+ * MW_ERROR_MATRIX: then *first_bad (unless that pointer is null) is the number of the first, and nothing is written.
+ * What is meant is the distance of mw_check_matrices, and MW_MATRIX_TOLERANCE_F32 or _F64. That costs about 4 ns a
+ * matrix of floats and 7 of doubles, where the conversion takes 2 and 5. With MW_ROTATION_MATRICES none is looked at.
+ * With MW_NEAREST_ROTATION comes the rotation nearest to R, in the sum of the squares of the differences: that of a
+ * matrix with scale and shear, and of one that reflects as long as a single rotation is nearest. MW_ERROR_MATRIX where
+ * none is (a mirror image, which is as near to all its half turns; what leaves no plane of space), of projections, and
+ * of numbers that are not finite. Slower by far: one after the other, twice each, by Jacobi's method in double.
+ * Also MW_ERROR_MATRIX_LAYOUT, and from matrices MW_ERROR_FLAGS (also both flags together). */
 mw_status mw_convert_motor_to_matrix_each_f32(mw_matrices_f32 out, mw_const_motors_f32 motors, size_t count);
 mw_status mw_convert_motor_to_matrix_each_f64(mw_matrices_f64 out, mw_const_motors_f64 motors, size_t count);
 mw_status mw_convert_matrix_to_motor_each_f32(mw_motors_f32 out, mw_const_matrices_f32 matrices, size_t count,
-                                              unsigned flags);
+                                              unsigned flags, size_t *first_bad);
 mw_status mw_convert_matrix_to_motor_each_f64(mw_motors_f64 out, mw_const_matrices_f64 matrices, size_t count,
-                                              unsigned flags);
+                                              unsigned flags, size_t *first_bad);
 
 /* One pass over the matrices: MW_ERROR_MATRIX if one is further from a rotation than `tolerance`, and then *first_bad is
- * the number of the first such. Its distance is the largest element of |RᵀR - 1|, or infinite if R is a reflection or any
- * element is not finite. *deviation is the largest distance of all. Both pointers may be null.
+ * the number of the first such. Its distance is the largest element of |RᵀR - 1|, and of 4 x 4 matrices also of |w - 1|
+ * of the last number w of the last row. It is infinite if R is a reflection, if the last row does not begin with three
+ * zeros (to 16 epsilons: the matrix projects) or if any number is not finite. *deviation is the largest distance of
+ * all. Both pointers may be null.
  * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_MATRIX_LAYOUT. */
 mw_status mw_check_matrices_f32(mw_const_matrices_f32 matrices, size_t count, float tolerance, size_t *first_bad,
                                 float *deviation);
 mw_status mw_check_matrices_f64(mw_const_matrices_f64 matrices, size_t count, double tolerance, size_t *first_bad,
                                 double *deviation);
 
-/* Axis and angle, and translations: x y z is the axis through the origin, of length 1, and w the angle, of any size.
- * From motors come angles in [0, π]; where it is 0, the axis is z. */
+/* Axis and angle, and translations: x y z is the axis through the origin, and w the angle, of any size. THE AXIS MUST
+ * HAVE LENGTH 1, which is not looked at: with another length a it turns by another angle φ, tan φ/2 = a tan θ/2.
+ * (mw_rotation takes an axis of any length.) From motors come angles in [0, π]; where it is 0, the axis is z. */
 mw_status mw_convert_motor_to_axis_angle_each_f32(mw_xyzw_f32 rotations, mw_xyz_f32 translations,
                                                   mw_const_motors_f32 motors, size_t count);
 mw_status mw_convert_motor_to_axis_angle_each_f64(mw_xyzw_f64 rotations, mw_xyz_f64 translations,
@@ -691,7 +717,8 @@ mw_status mw_convert_motor_to_translation_each_f64(mw_xyz_f64 translations, mw_c
  * translation by `distance` along it, in any order. The pitch is distance / angle. With distance 0 that is the
  * rotation about a point of lemma 3.11. From motors come angles in [0, π], and the point of the axis that is nearest
  * to the origin. A translation has angle 0, its own direction for the axis, and the origin for the point; so has what
- * turns by less than 2^-59. The identity has the axis z. */
+ * turns by less than 2^-59. The identity has the axis z. INTO MOTORS THE AXIS MUST HAVE LENGTH 1, which is not looked
+ * at: with another length the angle is wrong as above, and so is the way along the axis. */
 mw_status mw_convert_motor_to_screw_each_f32(mw_screws_f32 out, mw_const_motors_f32 motors, size_t count);
 mw_status mw_convert_motor_to_screw_each_f64(mw_screws_f64 out, mw_const_motors_f64 motors, size_t count);
 mw_status mw_convert_screw_to_motor_each_f32(mw_motors_f32 out, mw_const_screws_f32 screws, size_t count);
@@ -699,7 +726,8 @@ mw_status mw_convert_screw_to_motor_each_f64(mw_motors_f64 out, mw_const_screws_
 
 /* Rotors as Wareham and Lasenby write them, which act as R x R̃ and in which lengths are measured in units of `lambda`
  * (their embedding, section 1): R = S̃ with its e∞ part divided by lambda, and n for e∞. The components of rotors are
- * in the order of a motor's, e1∞ standing for e1 n. The sign is kept; exact up to the rounding of 1 / lambda.
+ * in the order of a motor's, e1∞ standing for e1 n. Sign and length are kept, and rotors need not be normalised; exact
+ * up to the rounding of 1 / lambda.
  * Also MW_ERROR_SCALE. */
 mw_status mw_convert_motor_to_rotor_each_f32(mw_motors_f32 rotors, mw_const_motors_f32 motors, size_t count,
                                              float lambda);

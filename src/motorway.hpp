@@ -483,9 +483,10 @@ MOTORWAY_MOTIONS(f64, double)
         return mw_convert_motor_to_matrix_each_##P(out, motors, count);                                               \
     }                                                                                                                 \
     [[nodiscard]] inline status convert_matrix_to_motor_each(mw_motors_##P out, const_matrices<T> in, size_t count,   \
-                                                             unsigned flags = MW_DEFAULT)                             \
+                                                             unsigned flags = MW_DEFAULT,                             \
+                                                             size_t *first_bad = nullptr)                             \
     {                                                                                                                 \
-        return mw_convert_matrix_to_motor_each_##P(out, in, count, flags);                                            \
+        return mw_convert_matrix_to_motor_each_##P(out, in, count, flags, first_bad);                                 \
     }                                                                                                                 \
     [[nodiscard]] inline status check_matrices(const_matrices<T> in, size_t count, T tolerance,                       \
                                                size_t *first_bad = nullptr, T *deviation = nullptr)                   \

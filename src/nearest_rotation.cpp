@@ -26,7 +26,8 @@ void quadratic_form(const double (&m)[3][3], square &k)
 // One of Jacobi's rotations: makes k[p][q] zero, and turns the columns of `vectors` likewise.
 void rotate(square &k, square &vectors, int p, int q)
 {
-    if (k[p][q] == 0)
+    constexpr double negligible = 0x1p-60;
+    if (std::fabs(k[p][q]) <= negligible * (std::fabs(k[p][p]) + std::fabs(k[q][q])))
         return;
     const double cotangent = (k[q][q] - k[p][p]) / (2 * k[p][q]);
     const double t = std::copysign(1 / (std::fabs(cotangent) + length_of(1, cotangent, 0)), cotangent);
@@ -44,32 +45,38 @@ void rotate(square &k, square &vectors, int p, int q)
         turn(vectors[i][p], vectors[i][q]);
 }
 
-// NaN if any of them is not finite: a zero beside it would hide it from the rotations.
-double largest_of(const double (&m)[3][3])
+// To numbers of about 1, exactly.
+void scale(const double (&m)[3][3], double (&scaled)[3][3])
 {
     double largest = 0;
     for (const auto &row : m)
-        for (double value : row) {
-            if (!std::isfinite(value))
-                return NAN;
+        for (double value : row)
             largest = std::max(largest, std::fabs(value));
-        }
-    return largest;
-}
-
-// To numbers of about 1, exactly; all NaN if any is not finite.
-void scale(const double (&m)[3][3], double (&scaled)[3][3])
-{
-    const double size = largest_of(m);
-    const int exponent = size > 0 && std::isfinite(size) ? exponent_of(size) : 0;
+    const int exponent = largest > 0 ? exponent_of(largest) : 0;
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c)
-            scaled[r][c] = std::isfinite(size) ? times_power_of_two(m[r][c], -exponent) : size;
+            scaled[r][c] = times_power_of_two(m[r][c], -exponent);
 }
+
+// The largest of the four eigenvalues, and how far the next one is below it.
+struct top_eigenvalue {
+    int index = 0;
+    double value = 0, gap = 0;
+
+    explicit top_eigenvalue(const square &diagonal)
+    {
+        for (int i = 1; i < order; ++i)
+            index = diagonal[i][i] > diagonal[index][index] ? i : index;
+        value = diagonal[index][index];
+        gap = INFINITY;
+        for (int i = 0; i < order; ++i)
+            gap = i == index ? gap : std::min(gap, value - diagonal[i][i]);
+    }
+};
 
 } // namespace
 
-void nearest_motor(const double (&matrix)[3][3], const double (&translation)[3], double (&motor)[8])
+bool nearest_motor(const double (&matrix)[3][3], const double (&translation)[3], double tolerance, double (&motor)[8])
 {
     double scaled[3][3];
     scale(matrix, scaled);
@@ -79,9 +86,8 @@ void nearest_motor(const double (&matrix)[3][3], const double (&translation)[3],
         for (int p = 0; p < order; ++p)
             for (int q = p + 1; q < order; ++q)
                 rotate(k, vectors, p, q);
-    int best = 0;
-    for (int i = 1; i < order; ++i)
-        best = k[i][i] > k[best][best] ? i : best;
+    const top_eigenvalue top(k);
+    const int best = top.index;
     const double sign = vectors[0][best] < 0 ? -1 : 1;
     const double w = sign * vectors[0][best], x = sign * vectors[1][best], y = sign * vectors[2][best],
                  z = sign * vectors[3][best];
@@ -90,6 +96,7 @@ void nearest_motor(const double (&matrix)[3][3], const double (&translation)[3],
     const double result[8] = {w, z, -y, x, w * tx + ty * z - tz * y, w * ty + tz * x - tx * z,
                               w * tz + tx * y - ty * x, tx * x + ty * y + tz * z};
     __builtin_memcpy(motor, result, sizeof result);
+    return top.gap > tolerance * top.value;
 }
 
 } // namespace motorway

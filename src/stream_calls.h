@@ -32,23 +32,18 @@ template <class T> mw_status check_input(const numbers<T> &in, std::size_t count
     return in.stride == 0 ? check_array(in.first, 1) : check_view(in.as_view(), count);
 }
 
-template <class T, int N, int M>
-mw_status check_apart(const view<T, N> &out, const view<const T, M> &in, std::size_t count)
-{
-    return check_overlap(out, in, count);
-}
-template <class T, int N> mw_status check_apart(const view<T, N> &out, const numbers<T> &in, std::size_t count)
+template <class T, int N> mw_status check_overlap(const view<T, N> &out, const numbers<T> &in, std::size_t count)
 {
     return in.stride == 0 ? check_overlap(out, in.first, 1, count) : check_overlap(out, in.as_view(), count);
 }
 
-// Two outputs share no byte; no output shares one with an input but for being the same.
+// Two outputs share no byte; no output shares one with an input but for being in place.
 template <class T, int N, class... Inputs>
 mw_status check_streams(const outputs<view<T, N>> &out, std::size_t count, const Inputs &...in)
 {
     mw_status status = check_view(std::get<0>(out), count);
     ((status = status != MW_OK ? status : check_input(in, count)), ...);
-    ((status = status != MW_OK ? status : check_apart(std::get<0>(out), in, count)), ...);
+    ((status = status != MW_OK ? status : check_overlap(std::get<0>(out), in, count)), ...);
     return status;
 }
 template <class T, int N, int M, class... Inputs>
@@ -57,9 +52,7 @@ mw_status check_streams(const outputs<view<T, N>, view<T, M>> &out, std::size_t 
     const auto &[first, second] = out;
     mw_status status = check_streams(to(first), count, in...);
     status = status != MW_OK ? status : check_streams(to(second), count, in...);
-    if (status == MW_OK && is_same(first, second.as_const()))
-        return MW_ERROR_OVERLAP;
-    return status != MW_OK ? status : check_overlap(first, second.as_const(), count);
+    return status != MW_OK ? status : check_apart(first, second.as_const(), count);
 }
 
 // The usual calls, in a few instructions (view.h).
@@ -98,12 +91,7 @@ void call_streams(kernel_id id, const T *fixed, const outputs<Outputs...> &out, 
         [&](const auto &...to) {
             const stream<T> to_streams[] = {to.as_stream()...};
             const stream<const T> from[] = {in.as_stream()...};
-            call<T> arguments;
-            arguments.out = to_streams;
-            arguments.in = from;
-            arguments.count = count;
-            arguments.fixed = fixed;
-            find<T>(*kernels(), id)(arguments);
+            find<T>(*kernels(), id)(call<T>{to_streams, from, count, fixed});
         },
         out);
 }
@@ -130,6 +118,13 @@ void call_inputs(kernel_id id, const T *fixed, const outputs<Output> &out, std::
                      view<const T, 1>{{same}, sizeof(T)});
 }
 
+// The streams of a call of the API, of which there are some.
+template <class... Outputs, class... Inputs>
+mw_status check_call(const outputs<Outputs...> &out, std::size_t count, const Inputs &...in)
+{
+    return is_usual_call(out, count, in...) ? MW_OK : check_streams(out, count, in...);
+}
+
 // A call of the API. The inputs are views; numbers, if any, come before them.
 template <class T, class... Outputs, class... Inputs>
 mw_status run_streams(kernel_id id, const T *fixed, const outputs<Outputs...> &out, std::size_t count,
@@ -139,13 +134,10 @@ mw_status run_streams(kernel_id id, const T *fixed, const outputs<Outputs...> &o
         return MW_ERROR_ISA;
     if (count == 0)
         return MW_OK;
-    if (!is_usual_call(out, count, in...)) {
-        const mw_status status = check_streams(out, count, in...);
-        if (status != MW_OK)
-            return status;
-    }
-    call_inputs(id, fixed, out, count, in...);
-    return MW_OK;
+    const mw_status status = check_call(out, count, in...);
+    if (status == MW_OK)
+        call_inputs(id, fixed, out, count, in...);
+    return status;
 }
 
 // The same of a kernel whose elements share nothing.

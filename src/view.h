@@ -81,18 +81,22 @@ static_assert(sizeof(mw_motor_f32) == 8 * sizeof(float) && sizeof(mw_motor_f64) 
 
 template <class T> std::uintptr_t address(const T *pointer) { return reinterpret_cast<std::uintptr_t>(pointer); }
 
+// Which items are compared: all, or only those with different numbers.
+enum class items { all, others };
+
 // Items of a_size bytes at a + i stride and of b_size bytes at b + j stride, for i, j < count: is a byte common to
 // two? Every call of the library asks this several times, so the two usual answers cost no division.
 inline bool share_bytes(std::uintptr_t a, std::size_t a_size, std::uintptr_t b, std::size_t b_size, std::size_t stride,
-                        std::size_t count)
+                        std::size_t count, items which = items::all)
 {
     if (b < a)
-        return share_bytes(b, b_size, a, a_size, stride, count);
+        return share_bytes(b, b_size, a, a_size, stride, count, which);
     const std::uintptr_t distance = b - a;
     if (distance >= stride * count)
         return false;
     const std::uintptr_t steps = distance < stride ? 0 : distance / stride, phase = distance - steps * stride;
-    return phase < a_size || (stride - phase < b_size && steps + 1 < count);
+    const bool compared = steps > 0 || which == items::all;
+    return (phase < a_size && compared) || (stride - phase < b_size && steps + 1 < count);
 }
 inline bool share_bytes(std::uintptr_t a, std::uintptr_t b, std::size_t stride, std::size_t size, std::size_t count)
 {
@@ -191,11 +195,22 @@ template <class E, class T, int N, int M> bool is_same(const view<E, N> &out, co
     }
 }
 
-// MW_OK if `in` and `out` have no byte in common or are the same view.
+// Whether all bytes of element 0 of both views lie within one stride, so that no two elements with different numbers
+// have a byte in common.
 template <class E, class T, int N, int M>
-mw_status check_overlap(const view<E, N> &out, const view<const T, M> &in, std::size_t count)
+bool share_a_cell(const view<E, N> &out, const view<const T, M> &in, std::size_t stride)
+{
+    const byte_range a = range_of(out, 1), b = range_of(in, 1);
+    return (a.end > b.end ? a.end : b.end) - (a.begin < b.begin ? a.begin : b.begin) <= stride;
+}
+
+// MW_OK if no item of `out` has a byte in common with one of `in`, of all or only of those with another number.
+template <class E, class T, int N, int M>
+mw_status check_bytes(const view<E, N> &out, const view<const T, M> &in, std::size_t count, items which)
 {
     if (!range_of(out, count).meets(range_of(in, count)))
+        return MW_OK;
+    if (which == items::others && (count == 1 || (out.stride == in.stride && share_a_cell(out, in, out.stride))))
         return MW_OK;
     if (out.stride != in.stride) { // where the ranges of two components meet, so may their elements
         bool meets = false;
@@ -203,16 +218,30 @@ mw_status check_overlap(const view<E, N> &out, const view<const T, M> &in, std::
             meets |= meets_a_component(out, count, range_of_component(in, c, count));
         return meets ? MW_ERROR_OVERLAP : MW_OK;
     }
-    if (is_same(out, in))
-        return MW_OK;
     for (const E *a : out.component)
         for (const T *b : in.component)
-            if (share_bytes(address(a), sizeof(E), address(b), sizeof(T), out.stride, count))
+            if (share_bytes(address(a), sizeof(E), address(b), sizeof(T), out.stride, count, which))
                 return MW_ERROR_OVERLAP;
     return MW_OK;
 }
 
-// The same for indices, which may be fields of the same vertices.
+// MW_OK if two views have no byte in common.
+template <class E, class T, int N, int M>
+mw_status check_apart(const view<E, N> &out, const view<const T, M> &in, std::size_t count)
+{
+    return check_bytes(out, in, count, items::all);
+}
+
+// MW_OK if an element of `out` has no byte in common with another element of `in`. It may have with the same one,
+// which is read before it is written: every loop of the kernels loads some elements from all inputs, whole, and then
+// stores the same elements. Of another type they must be apart, for the compiler may then change that order.
+template <class E, class T, int N, int M>
+mw_status check_overlap(const view<E, N> &out, const view<const T, M> &in, std::size_t count)
+{
+    return check_bytes(out, in, count, std::is_same_v<E, T> ? items::others : items::all);
+}
+
+// MW_OK if no byte is common with indices, which may be fields of the same vertices.
 template <class E, int N>
 mw_status check_overlap(const view<E, N> &out, const mw_indices &indices, std::size_t count)
 {
@@ -255,14 +284,23 @@ template <class T, int N> MOTORWAY_INLINE byte_range usual_range(const view<T, N
     return usual ? byte_range{begin, begin + extent} : byte_range{0, 0};
 }
 
-// The output may be the input itself.
+// Whether an element of the output lies over the same element of the input, both of adjacent components.
+template <class E, class T, int N, int M>
+MOTORWAY_INLINE bool is_usual_in_place(const view<E, N> &out, const view<const T, M> &in)
+{
+    constexpr std::size_t size = (N > M ? N : M) * sizeof(E);
+    return std::is_same_v<E, T> && address(out.component[0]) == address(in.component[0]) && out.stride == in.stride &&
+           size <= out.stride;
+}
+
+// The output may lie over the input.
 template <class E, class T, int N, int M>
 MOTORWAY_INLINE bool is_usual(const view<E, N> &out, const byte_range &out_range, const view<const T, M> &in, std::size_t count)
 {
     const byte_range in_range = usual_range(in, count);
     if (out_range.end == 0 || in_range.end == 0)
         return false;
-    return !out_range.meets(in_range) || is_same(out, in);
+    return !out_range.meets(in_range) || is_usual_in_place(out, in) || is_same(out, in);
 }
 
 // The first status of several that is not MW_OK. Later arguments are functions, so that a check may rely on those

@@ -282,7 +282,7 @@ DEFINE_GROUP_TEST(f64, double)
         CHECK(near_##P(numbers[0], -1) && near_##P(numbers[12], 10) && numbers[15] == 1);                            \
         CHECK(mw_check_matrices_##P(from_matrix, 1, (T)0.001, &bad, &deviation) == MW_OK);                           \
         CHECK(bad == 7 && near_##P(deviation, 0));                                                                   \
-        CHECK(mw_convert_matrix_to_motor_each_##P(out, from_matrix, 1, MW_DEFAULT) == MW_OK);                        \
+        CHECK(mw_convert_matrix_to_motor_each_##P(out, from_matrix, 1, MW_DEFAULT, &bad) == MW_OK);                        \
         check_pose_##P(&back);                                                                                       \
         CHECK(mw_convert_motor_to_axis_angle_each_##P(to_four, to_three, in, 1) == MW_OK);                           \
         CHECK(near_##P(four[2] * four[2], 1) && near_##P(four[3], 2 * half_pi));                                     \

@@ -152,7 +152,7 @@ inline Motor motor_of(const double *matrix, mw_matrix_layout layout)
 {
     Motor motor{};
     EXPECT_EQ(mw_convert_matrix_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor),
-                                                  {matrix, 16 * sizeof(double), layout}, 1, MW_DEFAULT),
+                                                  {matrix, 16 * sizeof(double), layout}, 1, MW_DEFAULT, nullptr),
               MW_OK);
     return motor;
 }

@@ -129,6 +129,108 @@ TEST(ConventionsTest, matrices_in_every_layout)
     });
 }
 
+// T R S of a node is its scale and its motor (docs/conventions.md has these two in C).
+TEST(ConventionsTest, scale_of_a_matrix_beside_its_motor)
+{
+    Random random(44);
+    for_many_poses(45, [&](const Pose &pose, const Pose &, const Vector &point) {
+        const Vector size{random.magnitude(0.1, 10), random.magnitude(0.1, 10), random.magnitude(0.1, 10)};
+        Matrix m = matrix_of(pose);
+        for (std::size_t r = 0; r < 3; ++r)
+            for (std::size_t c = 0; c < 3; ++c)
+                m[r][c] *= size[c];
+        const Vector expected = moved(pose, {size[0] * point[0], size[1] * point[1], size[2] * point[2]});
+        Vector scale, columns[3];
+        for (std::size_t c = 0; c < 3; ++c) {
+            columns[c] = {m[0][c], m[1][c], m[2][c]};
+            scale[c] = std::sqrt(dot(columns[c], columns[c]));
+        }
+        if (dot(columns[0], cross(columns[1], columns[2])) < 0)
+            scale[0] = -scale[0];
+        for (std::size_t r = 0; r < 3; ++r)
+            for (std::size_t c = 0; c < 3; ++c)
+                m[r][c] /= scale[c];
+        const Motor motor = motor_of(&m[0][0], MW_MATRIX_ROWS_4X4);
+        expect_near(moved(motor, {scale[0] * point[0], scale[1] * point[1], scale[2] * point[2]}), expected);
+    });
+}
+
+TEST(ConventionsTest, scale_beside_the_motors_of_a_hierarchy)
+{
+    Random random(46);
+    for (int repetition = 0; repetition < 20; ++repetition) {
+        const std::int32_t parents[4] = {-1, 0, 1, 1};
+        Motor local[4], world[4];
+        double scale[4];
+        Matrix expected[4];
+        for (std::size_t j = 0; j < 4; ++j) {
+            const Pose pose = draw_pose(random);
+            const double local_scale = random.uniform(0.2, 3);
+            Matrix scaled = matrix_of(pose);
+            for (std::size_t r = 0; r < 3; ++r)
+                for (std::size_t c = 0; c < 3; ++c)
+                    scaled[r][c] *= local_scale;
+            const auto parent = static_cast<std::size_t>(std::max(parents[j], 0));
+            expected[j] = j ? expected[parent] * scaled : scaled;
+            local[j] = motor_of(pose);
+            const double above = j ? scale[parent] : 1;
+            scale[j] = above * local_scale;
+            local[j].b1i *= above, local[j].b2i *= above, local[j].b3i *= above, local[j].w *= above;
+        }
+        ASSERT_EQ(mw_compose_motor_hierarchy_f64(mw_motors_f64_aos(world, 4 * sizeof(Motor)),
+                                                 mw_const_motors_f64_aos(local, 4 * sizeof(Motor)), sizeof(Motor),
+                                                 parents, 4, 1, nullptr),
+                  MW_OK);
+        const Vector point = draw_vector(random);
+        for (std::size_t j = 0; j < 4; ++j) {
+            Vector image{};
+            for (std::size_t r = 0; r < 3; ++r)
+                image[r] = expected[j][r][0] * point[0] + expected[j][r][1] * point[1] +
+                           expected[j][r][2] * point[2] + expected[j][r][3];
+            const Vector got = moved(world[j], scale[j] * point);
+            for (std::size_t r = 0; r < 3; ++r)
+                EXPECT_NEAR(got[r], image[r], 100 * tolerance) << "joint " << j;
+        }
+    }
+}
+
+// A quaternion of any length is the same motion, and so is a dual quaternion; one whose halves are not orthogonal moves
+// by the vector part of 2 d r* / |r|².
+TEST(ConventionsTest, quaternions_of_any_length)
+{
+    Random random(47);
+    for_many_poses(48, [&](const Pose &pose, const Pose &other, const Vector &point) {
+        Pose longer = pose;
+        longer.rotation = random.magnitude(1e-3, 1e3) * pose.rotation;
+        const Motor motor = motor_of(longer);
+        expect_near(moved(motor, point), moved(pose, point));
+        expect_near(moved(composed(motor, motor_of(other)), point), moved(other, moved(pose, point)));
+        const Pose back = pose_of(motor);
+        expect_near(moved(back, point), moved(pose, point));
+    });
+}
+
+TEST(ConventionsTest, dual_quaternions_that_are_not_unit)
+{
+    Random random(49);
+    for_many_poses(50, [&](const Pose &pose, const Pose &, const Vector &point) {
+        const Quaternion r = random.magnitude(0.1, 10) * pose.rotation;
+        const Quaternion d{random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)};
+        const double numbers[8] = {r.x, r.y, r.z, r.w, d.x, d.y, d.z, d.w};
+        Motor motor{};
+        ASSERT_EQ(mw_convert_dual_quaternion_to_motor_each_f64(
+                      mw_motors_f64_aos(&motor, sizeof motor),
+                      mw_const_dual_quaternions_f64_aos(numbers, sizeof numbers), 1),
+                  MW_OK);
+        const Quaternion product = d * conjugate(r);
+        const double square = r.x * r.x + r.y * r.y + r.z * r.z + r.w * r.w;
+        const Vector way = 2 / square * Vector{product.x, product.y, product.z};
+        const Vector got = moved(motor, point), expected = rotated(pose.rotation, point) + way;
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_NEAR(got[k], expected[k], 100 * tolerance);
+    });
+}
+
 TEST(ConventionsTest, axis_and_angle)
 {
     Random random(5);

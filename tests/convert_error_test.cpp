@@ -17,6 +17,7 @@ namespace motorway::testing {
 namespace {
 
 constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+constexpr unsigned all_matrix_flags[] = {MW_DEFAULT, MW_NEAREST_ROTATION, MW_ROTATION_MATRICES};
 
 template <class T>
 class ConvertErrorTest : public ::testing::Test {
@@ -206,9 +207,9 @@ TYPED_TEST(ConvertErrorTest, views_of_matrices)
             const auto const_motors = this->const_motors(this->second());
             this->expect(status, [&] { return C::motor_to_matrix({first, stride, layout}, const_motors, elements); },
                          name + " from motors, " + what);
-            for (unsigned flags : {unsigned(MW_DEFAULT), unsigned(MW_NEAREST_ROTATION)})
+            for (unsigned flags : all_matrix_flags)
                 this->expect(status,
-                             [&] { return C::matrix_to_motor(motors, {first, stride, layout}, elements, flags); },
+                             [&] { return C::matrix_to_motor(motors, {first, stride, layout}, elements, flags, nullptr); },
                              name + " to motors, " + what);
             this->expect(status,
                          [&] {
@@ -237,10 +238,10 @@ TYPED_TEST(ConvertErrorTest, motors_that_are_no_view_and_matrices)
         this->expect(MW_ERROR_NULL, [&] {
             return C::motor_to_matrix(this->matrices(this->first(), layout), view.const_motors(), this->count);
         });
-        for (unsigned flags : {unsigned(MW_DEFAULT), unsigned(MW_NEAREST_ROTATION)})
+        for (unsigned flags : all_matrix_flags)
             this->expect(MW_ERROR_NULL, [&] {
                 return C::matrix_to_motor(view.motors(), this->const_matrices(this->first(), layout), this->count,
-                                          flags);
+                                          flags, nullptr);
             });
     }
     View<T> narrow = packed_view(this->second(), 8);
@@ -248,10 +249,10 @@ TYPED_TEST(ConvertErrorTest, motors_that_are_no_view_and_matrices)
     this->expect(MW_ERROR_STRIDE, [&] {
         return C::motor_to_matrix(this->matrices(this->first(), layout), narrow.const_motors(), this->count);
     });
-    for (unsigned flags : {unsigned(MW_DEFAULT), unsigned(MW_NEAREST_ROTATION)})
+    for (unsigned flags : all_matrix_flags)
         this->expect(MW_ERROR_STRIDE, [&] {
             return C::matrix_to_motor(narrow.motors(), this->const_matrices(this->first(), layout), this->count,
-                                      flags);
+                                      flags, nullptr);
         });
 }
 
@@ -267,13 +268,10 @@ TYPED_TEST(ConvertErrorTest, matrices_over_motors)
             this->expect(MW_ERROR_OVERLAP, [&] {
                 return C::motor_to_matrix(this->matrices(matrices, layout), this->const_motors(motors), this->count);
             });
-            for (unsigned flags : {unsigned(MW_DEFAULT), unsigned(MW_NEAREST_ROTATION)}) {
-                // Of a matrix by rows the last one is not read.
-                if (layout == MW_MATRIX_ROWS_4X4 && motors > matrices + 1)
-                    continue;
+            for (unsigned flags : all_matrix_flags) {
                 this->expect(MW_ERROR_OVERLAP, [&] {
                     return C::matrix_to_motor(this->motors(motors), this->const_matrices(matrices, layout),
-                                              this->count, flags);
+                                              this->count, flags, nullptr);
                 });
             }
         }
@@ -281,7 +279,8 @@ TYPED_TEST(ConvertErrorTest, matrices_over_motors)
                                      this->const_motors(matrices + numbers * this->count), this->count),
                   MW_OK);
         EXPECT_EQ(C::matrix_to_motor(this->motors(matrices - 8 * this->count),
-                                     this->const_matrices(matrices, layout), this->count, MW_DEFAULT),
+                                     this->const_matrices(matrices, layout), this->count, MW_ROTATION_MATRICES,
+                                     nullptr),
                   MW_OK);
     }
 }
@@ -296,9 +295,10 @@ TYPED_TEST(ConvertErrorTest, a_layout_that_is_none)
         this->expect(MW_ERROR_MATRIX_LAYOUT, [&] {
             return C::motor_to_matrix({this->first(), stride, layout}, this->const_motors(this->second()), 1);
         });
-        for (unsigned flags : {unsigned(MW_DEFAULT), unsigned(MW_NEAREST_ROTATION)})
+        for (unsigned flags : all_matrix_flags)
             this->expect(MW_ERROR_MATRIX_LAYOUT, [&] {
-                return C::matrix_to_motor(this->motors(this->second()), {this->first(), stride, layout}, 1, flags);
+                return C::matrix_to_motor(this->motors(this->second()), {this->first(), stride, layout}, 1, flags,
+                                          nullptr);
             });
         this->expect(MW_ERROR_MATRIX_LAYOUT, [&] {
             return C::check_matrices({this->first(), stride, layout}, 1, T(1), nullptr, this->third());
@@ -311,10 +311,12 @@ TYPED_TEST(ConvertErrorTest, flags_that_matrices_do_not_know)
     using T = TypeParam;
     using C = ConvertApi<T>;
     for (unsigned flags : {unsigned(MW_UNIT_MOTORS), unsigned(MW_STREAMING_STORES), unsigned(MW_NO_STREAMING_STORES),
-                           unsigned(MW_LONG_WAY), unsigned(MW_NEAREST_ROTATION | MW_UNIT_MOTORS), 1u << 20, ~0u})
+                           unsigned(MW_LONG_WAY), unsigned(MW_NEAREST_ROTATION | MW_UNIT_MOTORS),
+                           unsigned(MW_NEAREST_ROTATION | MW_ROTATION_MATRICES), 1u << 20, ~0u})
         this->expect(MW_ERROR_FLAGS, [&] {
             return C::matrix_to_motor(this->motors(this->second()),
-                                      this->const_matrices(this->first(), MW_MATRIX_ROWS_3X4), this->count, flags);
+                                      this->const_matrices(this->first(), MW_MATRIX_ROWS_3X4), this->count, flags,
+                                      nullptr);
         });
 }
 
@@ -384,8 +386,8 @@ TYPED_TEST(ConvertErrorTest, a_count_of_0_takes_null_pointers)
     EXPECT_EQ(C::rotor_to_motor(motors, const_motors, 0, T(1)), MW_OK);
     for (mw_matrix_layout layout : all_matrix_layouts) {
         EXPECT_EQ(C::motor_to_matrix({nullptr, 0, layout}, const_motors, 0), MW_OK);
-        for (unsigned flags : {unsigned(MW_DEFAULT), unsigned(MW_NEAREST_ROTATION)})
-            EXPECT_EQ(C::matrix_to_motor(motors, {nullptr, 0, layout}, 0, flags), MW_OK);
+        for (unsigned flags : all_matrix_flags)
+            EXPECT_EQ(C::matrix_to_motor(motors, {nullptr, 0, layout}, 0, flags, nullptr), MW_OK);
         std::size_t bad = 7;
         T deviation = 7;
         EXPECT_EQ(C::check_matrices({nullptr, 0, layout}, 0, T(0), &bad, &deviation), MW_OK);

@@ -92,7 +92,7 @@ Representation<T> matrices(mw_matrix_layout layout, unsigned flags = MW_DEFAULT)
                 return C::motor_to_matrix({out.component[0], out.stride, layout}, in.const_motors(), count);
             },
             [layout, flags](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::matrix_to_motor(out.motors(), {in.component[0], in.stride, layout}, count, flags);
+                return C::matrix_to_motor(out.motors(), {in.component[0], in.stride, layout}, count, flags, nullptr);
             },
             identity};
 }
@@ -747,24 +747,23 @@ TYPED_TEST(ConvertTest, translations)
 
 // ---------------------------------------------------------------------------------------------------------- matrices
 
-TYPED_TEST(ConvertTest, the_last_row_is_written_and_not_read)
+TYPED_TEST(ConvertTest, the_last_row_is_written_and_makes_no_difference_to_the_motor)
 {
     using T = TypeParam;
     const Numbers<T> motors = all_motors<T>();
     const T nan = std::numeric_limits<T>::quiet_NaN();
-    for (mw_matrix_layout layout : {MW_MATRIX_ROWS_4X4, MW_MATRIX_COLUMNS_4X4})
-        for (unsigned flags : {unsigned(MW_DEFAULT), unsigned(MW_NEAREST_ROTATION)}) {
-            const Representation<T> representation = matrices<T>(layout, flags);
-            const Numbers<T> in = representation.of(motors);
-            Numbers<T> spoilt = in;
-            for (std::size_t k = 0; k < in.size(); k += 16)
-                for (std::size_t column = 0; column < 4; ++column) {
-                    T &number = spoilt[k + place_in_matrix(layout, 3, column)];
-                    EXPECT_EQ(number, column == 3 ? T(1) : T(0));
-                    number = nan;
-                }
-            EXPECT_TRUE(this->same_bits(representation.motors(in), representation.motors(spoilt)));
-        }
+    for (mw_matrix_layout layout : {MW_MATRIX_ROWS_4X4, MW_MATRIX_COLUMNS_4X4}) {
+        const Numbers<T> in = matrices<T>(layout).of(motors);
+        Numbers<T> spoilt = in;
+        for (std::size_t k = 0; k < in.size(); k += 16)
+            for (std::size_t column = 0; column < 4; ++column) {
+                T &number = spoilt[k + place_in_matrix(layout, 3, column)];
+                EXPECT_EQ(number, column == 3 ? T(1) : T(0));
+                number = nan;
+            }
+        const Representation<T> not_looked_at = matrices<T>(layout, MW_ROTATION_MATRICES);
+        EXPECT_TRUE(this->same_bits(matrices<T>(layout).motors(in), not_looked_at.motors(spoilt)));
+    }
 }
 
 // Of a half turn either sign is right.
@@ -890,11 +889,6 @@ TYPED_TEST(ConvertTest, the_nearest_rotation_of_matrices_of_any_size)
             expect_same_motion(&expected[k], &got[k], sizeof(T) == 4 && scale < 1e-30 ? 1e-3L : 8 * epsilon<T>,
                                std::to_string(std::log10(scale)));
     }
-    const Numbers<T> of_nothing = representation.motors({0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3});
-    EXPECT_NEAR(length_of(of_nothing, 0, 4), 1, 4 * epsilon<T>);
-    const Numbers<T> pose = poses<T>("", x_first).of(of_nothing);
-    for (std::size_t k = 0; k < 3; ++k)
-        EXPECT_NEAR(pose[4 + k], T(k + 1), 16 * epsilon<T>);
     // Subnormal numbers alone, whose reciprocals overflow.
     const T tiny = 8 * std::numeric_limits<T>::denorm_min();
     const Numbers<T> identity = {1, 0, 0, 0, 0, 0, 0, 0};
@@ -906,27 +900,20 @@ TYPED_TEST(ConvertTest, nan_and_infinity_stay_in_their_matrix)
     using T = TypeParam;
     using Limits = std::numeric_limits<T>;
     const Numbers<T> one = matrices<T>(MW_MATRIX_ROWS_3X4).identity;
-    for (unsigned flags : {unsigned(MW_DEFAULT), unsigned(MW_NEAREST_ROTATION)})
-        for (T bad : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity()})
-            for (std::size_t place = 0; place < 12; ++place)
-                for (bool in_identity : {false, true}) {
-                    const Representation<T> representation = matrices<T>(MW_MATRIX_ROWS_3X4, flags);
-                    Numbers<T> in = random_matrices<T>(5, 27);
-                    if (in_identity)
-                        std::copy(one.begin(), one.end(), &in[24]);
-                    const Numbers<T> expected = representation.motors(in);
-                    in[24 + place] = bad;
-                    const Numbers<T> got = representation.motors(in);
-                    bool all_finite = true;
-                    for (std::size_t k = 0; k < got.size(); ++k)
-                        if (k / 8 == 2)
-                            all_finite = all_finite && std::isfinite(got[k]);
-                        else
-                            EXPECT_EQ(got[k], expected[k]);
-                    // The fast kernel chooses which of the numbers it uses.
-                    EXPECT_TRUE(flags == MW_DEFAULT || !all_finite)
-                        << "place " << place << " of " << text_of(&in[24], 12);
-                }
+    const Representation<T> not_looked_at = matrices<T>(MW_MATRIX_ROWS_3X4, MW_ROTATION_MATRICES);
+    for (T bad : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity()})
+        for (std::size_t place = 0; place < 12; ++place)
+            for (bool in_identity : {false, true}) {
+                Numbers<T> in = random_matrices<T>(5, 27);
+                if (in_identity)
+                    std::copy(one.begin(), one.end(), &in[24]);
+                const Numbers<T> expected = not_looked_at.motors(in);
+                in[24 + place] = bad;
+                const Numbers<T> got = not_looked_at.motors(in);
+                for (std::size_t k = 0; k < got.size(); ++k)
+                    if (k / 8 != 2)
+                        EXPECT_EQ(got[k], expected[k]);
+            }
 }
 
 // ------------------------------------------------------------------------------------------------- checking matrices
@@ -958,11 +945,9 @@ TYPED_TEST(ConvertTest, rotations_are_within_a_tolerance)
         EXPECT_EQ(found.status, MW_OK) << name_of(layout);
         EXPECT_LE(found.deviation, 16 * epsilon<T>);
         EXPECT_EQ(found.first_bad, 77u) << "written though none is bad";
-        // The translation is none of its concern, nor is the last row.
+        // A translation that is finite is none of its concern.
         Numbers<T> identity = matrices<T>(layout).identity;
-        identity[place_in_matrix(layout, 1, 3)] = 1000;
-        if (identity.size() == 16)
-            identity[place_in_matrix(layout, 3, 1)] = std::numeric_limits<T>::quiet_NaN();
+        identity[place_in_matrix(layout, 1, 3)] = std::numeric_limits<T>::max();
         EXPECT_EQ(check(identity, layout, T(0)).status, MW_OK) << name_of(layout);
         EXPECT_EQ(check(identity, layout, T(0)).deviation, T(0));
     }

@@ -295,14 +295,15 @@ std::array<reference::Real, 4> quaternion_of(const At &at)
     return q;
 }
 
-// Half turns are in convert_test.cpp: there rounding decides which of the two motors it is. The matrix itself has
+// The kernels, which look at no matrix: matrices_test.cpp has what does. Half turns are in convert_test.cpp: there rounding decides which of the two motors it is. The matrix itself has
 // been rounded, and the rows of 4qqᵀ differ by that; any of them that has a large diagonal may have been taken.
 template <class T>
 Conversion<T> matrix_to_motor(const char *name, mw_matrix_layout layout)
 {
     Conversion<T> conversion{name, matrices_of(layout), Operand::motors, {}, {}, {}};
     conversion.run = [layout](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::matrix_to_motor(out.motors(), {in.component[0], in.stride, layout}, count, MW_DEFAULT);
+        return ConvertApi<T>::matrix_to_motor(out.motors(), {in.component[0], in.stride, layout}, count,
+                                              MW_ROTATION_MATRICES, nullptr);
     };
     conversion.draw = [layout](Random &random, T *matrix) {
         long double half_angle = draw_turn(random);

@@ -1,5 +1,6 @@
 // Poses along a hierarchy: the bits of one product after the other, in every layout, in place or not.
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <vector>
@@ -146,6 +147,59 @@ TYPED_TEST(HierarchyTest, has_the_bits_of_the_plain_loop)
         for (std::size_t joints : {1, 2, 5, 64})
             for (std::size_t count : {1, 2, 7, 16, 17, 63, 64, 65, 130, 200})
                 expect_plain_loop<TypeParam>(random, joints, count);
+    }
+}
+
+// Joints of two fields, or of one that is both: `first` is where the world motor begins in a joint of `size` numbers,
+// whose local motor begins at 0.
+template <class T>
+void expect_fields(std::size_t size, std::size_t first, bool backwards, std::size_t joints, std::size_t count)
+{
+    Random random(92);
+    const std::vector<std::int32_t> parents = draw_parents(random, joints);
+    std::vector<T> locals(8 * joints * count);
+    for (T &number : locals)
+        number = static_cast<T>(random.uniform(-1, 1));
+    const std::vector<T> poses = plain_loop(locals, parents, count);
+    const std::size_t joint = size * sizeof(T);
+    for (bool skeletons_in_turn : {false, true}) {
+        const std::size_t stride = skeletons_in_turn ? joints * joint : joint;
+        const std::size_t joint_stride = skeletons_in_turn ? joint : count * joint;
+        std::vector<T> memory(size * joints * count, T(5));
+        const auto begin = [&](std::size_t j, std::size_t i) {
+            return memory.data() + (j * joint_stride + i * stride) / sizeof(T);
+        };
+        for (std::size_t j = 0; j < joints; ++j)
+            for (std::size_t i = 0; i < count; ++i)
+                std::copy_n(&locals[8 * (j * count + i)], 8, begin(j, i));
+        View<T> local = packed_view(memory.data(), 8), world = packed_view(memory.data() + first, 8);
+        local.stride = world.stride = stride;
+        if (backwards)
+            std::reverse(world.component.begin(), world.component.end());
+        ASSERT_EQ(Api<T>::compose_motor_hierarchy(world.motors(), local.const_motors(), joint_stride, parents.data(),
+                                                  joints, count, nullptr),
+                  MW_OK)
+            << size << " " << first;
+        for (std::size_t j = 0; j < joints; ++j)
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t c = 0; c < 8; ++c)
+                    ASSERT_EQ(begin(j, i)[first + (backwards ? 7 - c : c)], poses[8 * (j * count + i) + c])
+                        << "joint " << j << " of " << i << ", world from number " << first << " of " << size;
+    }
+}
+
+TYPED_TEST(HierarchyTest, local_and_world_motors_are_fields_of_joints)
+{
+    for (const std::string &isa : running_isas()) {
+        SCOPED_TRACE(isa);
+        ScopedIsa scope(isa);
+        for (std::size_t joints : {1, 2, 33})
+            for (std::size_t count : {1, 2, 17, 65}) {
+                expect_fields<TypeParam>(16, 8, false, joints, count);
+                expect_fields<TypeParam>(19, 8, true, joints, count);
+                expect_fields<TypeParam>(8, 0, true, joints, count);
+                expect_fields<TypeParam>(11, 3, false, joints, count);
+            }
     }
 }
 

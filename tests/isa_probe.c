@@ -25,7 +25,7 @@ int main(void)
         mw_convert_motor_to_pose_each_f32(mw_xyzw_f32_aos(quaternion, sizeof quaternion),
                                           mw_xyz_f32_aos(translation, sizeof translation), in, 1),
         mw_convert_motor_to_matrix_each_f32(matrices, in, 1),
-        mw_convert_matrix_to_motor_each_f32(out, const_matrices, 1, MW_NEAREST_ROTATION),
+        mw_convert_matrix_to_motor_each_f32(out, const_matrices, 1, MW_NEAREST_ROTATION, NULL),
         mw_convert_rotor_to_motor_each_f32(out, in, 1, 2),
         mw_compose_motor_hierarchy_f32(out, in, sizeof motor, &parent, 1, 1, NULL),
     };

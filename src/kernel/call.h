@@ -30,21 +30,21 @@ struct index_stream {
 };
 
 // One call of a kernel, validated. T is what it computes in, and E what the elements are made of: float in mixed
-// calls, else T. Streams are in the order of the kernel's formula. Only what the pairing of a kernel takes is set:
-// clearing the rest would show in the time of a small batch.
+// calls, else T. Streams are in the order of the kernel's formula. Begin with braces, which leave no field unset: a
+// kernel may read any of them, whatever its pairing.
 template <class T, class E = T> struct call {
     const stream<E> *out;      // one an output
     const stream<const E> *in; // one an input; of a blend the weights, and then the controls of each term
     std::size_t count;
+    const T *fixed = nullptr; // what all elements share: the motor of `one`, a shift, or the controls of a blend
+    bool streaming = false;   // `apply`: results may go past the caches, where they can. Whoever sets it fences
 
-    bool streaming;         // `apply`: results may go past the caches, where they can
-    const T *fixed;         // what all elements share: the motor of `one`, a shift, or the controls of a blend
-    std::size_t terms;      // of a blend
-    stream<const T> motors; // `each`: of every element; `grid`: of every row
-    const T *palette;       // `indexed`
-    index_stream indices;   // `indexed`
-    std::size_t rows;       // `grid`: how many motors
-    std::size_t row_stride; // `grid`: bytes from a motor's results to those of the next
+    std::size_t terms = 0;       // of a blend
+    stream<const T> motors = {}; // `each`: of every element; `grid`: of every row
+    const T *palette = nullptr;  // `indexed`
+    index_stream indices = {};   // `indexed`
+    std::size_t rows = 0;        // `grid`: how many motors
+    std::size_t row_stride = 0;  // `grid`: bytes from a motor's results to those of the next
 };
 
 template <class T, class E = T> using kernel = void (*)(const call<T, E> &);
@@ -62,21 +62,21 @@ enum class outside : unsigned char { none, clamp, wrap };
 // That of level 1 is u. Its controls are degree + 1 rows of eight numbers from row first[j] on.
 // cells[i] is a span at or before that of the parameters begin + (i ... i + 1) / cells_per_unit.
 template <class T> struct motion_call {
-    const stream<T> *out; // the motors; then the twists, where the kernel makes them
-    const T *parameters;
-    std::size_t count;
-    bool one_parameter; // for all samples
+    const stream<T> *out = nullptr; // the motors; then the twists, where the kernel makes them
+    const T *parameters = nullptr;
+    std::size_t count = 0;
+    bool one_parameter = false; // for all samples
 
-    T begin, end, cells_per_unit;
-    outside treatment;
-    bool body_frame; // twists
+    T begin = 0, end = 0, cells_per_unit = 0;
+    outside treatment = outside::none;
+    bool body_frame = false; // twists
 
-    std::size_t degree, span_count, cell_count, span_size;
-    const T *starts, *spans;
-    const unsigned *first, *cells;
-    const T *rows, *bases;
-    std::size_t motion_stride; // numbers from a motion's rows to those of the next: 0 is one for all
-    bool base_per_row;         // a base belongs to each row, or one to all
+    std::size_t degree = 0, span_count = 0, cell_count = 0, span_size = 0;
+    const T *starts = nullptr, *spans = nullptr;
+    const unsigned *first = nullptr, *cells = nullptr;
+    const T *rows = nullptr, *bases = nullptr;
+    std::size_t motion_stride = 0; // numbers from a motion's rows to those of the next: 0 is one for all
+    bool base_per_row = false;     // a base belongs to each row, or one to all
 };
 
 // How a pose is made of the controls of a span.

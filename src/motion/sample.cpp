@@ -9,10 +9,14 @@ namespace {
 
 template <class T> using compiled_type = typename c_types<T>::compiled;
 
-// No output shares a byte with the compiled motion.
-template <class T, int N> mw_status check_apart_from(const compiled<T> &motion, const view<T, N> &out, std::size_t count)
+// No output shares a byte with the compiled motion, or with a parameter: the kernels look ahead in these.
+template <class T, int N>
+mw_status check_sampled(const compiled<T> &motion, const numbers<T> &parameters, const view<T, N> &out,
+                        std::size_t count)
 {
-    return meets_a_component(out, count, motion.range()) ? MW_ERROR_OVERLAP : MW_OK;
+    if (meets_a_component(out, count, motion.range()))
+        return MW_ERROR_OVERLAP;
+    return parameters.stride == 0 ? MW_OK : check_apart(out, parameters.as_view(), count);
 }
 
 template <class T, class... Views>
@@ -22,7 +26,8 @@ mw_status check_sample(const outputs<Views...> &out, const compiled_type<T> *mot
     mw_status status = check_streams(out, count, parameters);
     std::apply(
         [&](const auto &...each) {
-            ((status = status != MW_OK ? status : check_apart_from(compiled_of<T>(motion), each, count)), ...);
+            ((status = status != MW_OK ? status : check_sampled(compiled_of<T>(motion), parameters, each, count)),
+             ...);
         },
         out);
     if (status != MW_OK)

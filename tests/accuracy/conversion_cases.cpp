@@ -58,7 +58,7 @@ struct Trips {
         const std::size_t count = in.size() / 8, stride = sizeof(T[12]);
         Numbers middle(12 * count), out(in.size());
         check(A::to_matrix({middle.data(), stride, MW_MATRIX_ROWS_3X4}, L::motors(in), count));
-        check(A::from_matrix(L::motors(out), {middle.data(), stride, MW_MATRIX_ROWS_3X4}, count, flags));
+        check(A::from_matrix(L::motors(out), {middle.data(), stride, MW_MATRIX_ROWS_3X4}, count, flags, nullptr));
         return out;
     }
 

@@ -118,9 +118,9 @@ mw_motor_f64 read_matrix(const Field &pose)
                                      : "is a reflection, which no motion reaches; change the sign of a column");
     check(status, "a matrix");
     mw_motor_f64 motor;
-    check(
-        mw_convert_matrix_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor), matrix, 1, MW_NEAREST_ROTATION),
-        "a matrix");
+    check(mw_convert_matrix_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor), matrix, 1, MW_NEAREST_ROTATION,
+                                              nullptr),
+          "a matrix");
     return motor;
 }
 
