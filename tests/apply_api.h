@@ -5,6 +5,7 @@
 #define MOTORWAY_TESTS_APPLY_API_H
 
 #include <array>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>

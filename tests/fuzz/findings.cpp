@@ -44,9 +44,7 @@ std::string describe(const Case &at, const std::string &what, double error, doub
     text += "\n    result:  " + numbers_text(at.out, at.function->output);
     if (!verdict.right().empty())
         text += "\n    right:   " + right_text(verdict);
-    std::snprintf(line, sizeof line, "\n    again:   ./tools/fuzz --seed %llu --round %llu   (element %zu)\n",
-                  static_cast<unsigned long long>(at.seed), static_cast<unsigned long long>(at.round), at.element);
-    return text + line;
+    return text + "\n    again:   ./tools/fuzz " + at.again + "   (element " + std::to_string(at.element) + ")\n";
 }
 
 }  // namespace

@@ -13,8 +13,7 @@ namespace motorway::fuzz {
 // One element of one batch, and where it came from.
 struct Case {
     const Function *function;
-    std::string isa;
-    std::uint64_t seed, round;
+    std::string isa, again;
     std::size_t element;
     std::vector<const void *> inputs;
     const void *out;

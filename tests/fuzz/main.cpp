@@ -28,13 +28,24 @@ Functions all_functions()
     Functions functions;
     add_exponentials(functions);
     add_products(functions);
+    add_applications(functions);
+    add_interpolations(functions);
+    add_poses(functions);
+    add_angles(functions);
     return functions;
 }
 
-bool is_meant(const Function &function, const Options &options)
+// A family; or, if there is none of that name, all functions with it in their names.
+Functions meant(const Functions &all, const std::string &only)
 {
-    return options.only.empty() || function.family == options.only ||
-           function.name.find(options.only) != std::string::npos;
+    Functions family, named;
+    for (const Function &function : all) {
+        if (function.family == only)
+            family.push_back(function);
+        if (function.name.find(only) != std::string::npos)
+            named.push_back(function);
+    }
+    return family.empty() ? named : family;
 }
 
 class Fuzzer {
@@ -42,6 +53,10 @@ public:
     Fuzzer(const Options &options, Functions functions)
         : options_(options), functions_(std::move(functions)), workers_(functions_, options.isas)
     {
+        again_ = "--seed " + std::to_string(options.seed);
+        if (!options.only.empty())
+            again_ += " --only '" + options.only + "'";
+        again_ += " --round ";
     }
 
     std::size_t isas() const { return workers_.size(); }
@@ -54,8 +69,6 @@ public:
         testing::Random random(options_.seed * 0x9e3779b97f4a7c15u + number);
         const std::size_t chosen = random.below(functions_.size());
         const Function &function = functions_[chosen];
-        if (!is_meant(function, options_))
-            return;
         number_ = number;
         const std::size_t count = 1 + random.below(random.chance(3) ? 8 : most_elements);
         draw(function, count, random);
@@ -87,7 +100,7 @@ private:
 
     Case at(const Function &function, std::size_t worker, std::size_t i)
     {
-        Case place{&function, workers_.isa(worker), options_.seed, number_, i, {}, nullptr};
+        Case place{&function, workers_.isa(worker), again_ + std::to_string(number_), i, {}, nullptr};
         for (std::size_t k = 0; k < function.inputs.size(); ++k) {
             const Stream &stream = function.inputs[k];
             const std::size_t element = stream.kind == Stream::shared ? 0 : i;
@@ -129,6 +142,7 @@ private:
     Functions functions_;
     Workers workers_;
     Findings findings_;
+    std::string again_;  // the options that come to the same batch
     std::uint64_t number_ = 0;
     double elements_ = 0;
     bool alive_ = true;
@@ -181,16 +195,13 @@ Options options_of(int argc, char **argv)
 int fuzz(const Options &options)
 {
     using Clock = std::chrono::steady_clock;
-    const Functions functions = all_functions();
-    std::size_t meant = 0;
-    for (const Function &function : functions)
-        meant += is_meant(function, options);
-    if (meant == 0)
+    const Functions functions = options.only.empty() ? all_functions() : meant(all_functions(), options.only);
+    if (functions.empty())
         explain(("no function is called " + options.only).c_str());
     Fuzzer fuzzer(options, functions);
     if (fuzzer.isas() == 0)
         explain("none of these instruction sets can run here");
-    std::printf("%zu functions on %zu instruction sets, seed %llu\n", meant, fuzzer.isas(),
+    std::printf("%zu functions on %zu instruction sets, seed %llu\n", functions.size(), fuzzer.isas(),
                 static_cast<unsigned long long>(options.seed));
     const Clock::time_point start = Clock::now();
     double shown = 0, seconds = 0;
