@@ -27,6 +27,7 @@ struct Stream {
         adjacent,  // they are adjacent: matrices, palettes
         shared     // one element, adjacent, for the whole batch
     } kind = apart;
+    unsigned unread = 0;  // a bit a component that is there and is not read
 };
 
 // Where the components of a stream are.

@@ -6,7 +6,7 @@
 
 #include "api.h"
 #include "draw.h"
-#include "function.h"
+#include "families.h"
 
 namespace motorway::fuzz {
 
@@ -87,13 +87,6 @@ R reach(const Motor<R> &m)
 {
     return 2 * length(m.d) / length(m.r);
 }
-
-void add_exponentials(Functions &functions);
-void add_products(Functions &functions);
-void add_interpolations(Functions &functions);
-void add_applications(Functions &functions);
-void add_poses(Functions &functions);
-void add_angles(Functions &functions);
 
 }  // namespace motorway::fuzz
 

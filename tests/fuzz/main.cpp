@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
+#include "families.h"
 #include "findings.h"
-#include "judge.h"
 #include "workers.h"
 
 namespace motorway::fuzz {
@@ -22,18 +22,6 @@ struct Options {
     std::vector<std::string> isas;
     bool errors = false;
 };
-
-Functions all_functions()
-{
-    Functions functions;
-    add_exponentials(functions);
-    add_products(functions);
-    add_applications(functions);
-    add_interpolations(functions);
-    add_poses(functions);
-    add_angles(functions);
-    return functions;
-}
 
 // A family; or, if there is none of that name, all functions with it in their names.
 Functions meant(const Functions &all, const std::string &only)
