@@ -864,7 +864,8 @@ typedef struct mw_motion_f64 {
 } mw_motion_f64;
 
 /* Compiled motions live in memory of the caller's, aligned to 8 bytes. They hold no pointers: copy them, send them, map
- * them from a file (of the same version of this library, on a machine of the same byte order). */
+ * them from a file (of the same version of this library, on a machine of the same byte order). All of their bytes are
+ * written, and depend on the description alone. */
 typedef struct mw_compiled_motion_f32 mw_compiled_motion_f32;
 typedef struct mw_compiled_motion_f64 mw_compiled_motion_f64;
 

@@ -104,6 +104,31 @@ TYPED_TEST(MotionTest, every_kind_and_degree_with_knots_of_all_sorts)
     });
 }
 
+// They are copied and stored, gaps included: what was in the memory before must not be.
+TYPED_TEST(MotionTest, every_byte_is_written)
+{
+    using T = TypeParam;
+    using A = Api<T>;
+    Random random(54);
+    for (mw_motion_kind kind : all_motion_kinds)
+        for (std::size_t degree : {1, 2, 3, 7})
+            for (bool closed : {false, true}) {
+                const auto data = random_motion<T>(random, kind, degree, degree + 2, closed);
+                const auto description = data.view();
+                std::size_t size = 0;
+                ASSERT_EQ(A::motion_size(&size, &description, nullptr), MW_OK);
+                std::vector<double> memory[2];
+                for (const int before : {0, 1}) {
+                    memory[before].resize((size + 7) / 8);
+                    std::memset(memory[before].data(), before ? 0xa5 : 0x5a, size);
+                    const typename A::CompiledMotion *compiled;
+                    ASSERT_EQ(A::compile_motion(&compiled, memory[before].data(), size, &description, MW_DEFAULT, nullptr),
+                              MW_OK);
+                }
+                EXPECT_EQ(std::memcmp(memory[0].data(), memory[1].data(), size), 0) << data.name();
+            }
+}
+
 TYPED_TEST(MotionTest, default_knots)
 {
     using T = TypeParam;

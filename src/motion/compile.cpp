@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace motorway {
 
@@ -419,6 +420,7 @@ mw_status compile(const Compiled **result, void *memory, std::size_t size, const
     status = check_controls<T>(*motion, flags, where);
     if (status != MW_OK)
         return status;
+    std::memset(memory, 0, needed); // the gaps too: what was there before is nobody's business who copies or stores them
     auto *const written = static_cast<compiled_header *>(memory);
     *written = header;
     write_motion<T>(*motion, flags, compiled<T>(*written));

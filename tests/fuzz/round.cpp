@@ -1,0 +1,105 @@
+#include "round.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "memory.h"
+
+namespace motorway::fuzz {
+namespace {
+
+template <class T>
+bool is_nan(const char *number)
+{
+    T value;
+    std::memcpy(&value, number, sizeof value);
+    return std::isnan(value);
+}
+
+// The input that the results may take the place of, or none.
+int in_place(const Function &function, testing::Random &random)
+{
+    std::vector<int> candidates;
+    for (std::size_t k = 0; k < function.inputs.size(); ++k) {
+        const Stream &in = function.inputs[k], &out = function.output;
+        if (in.kind == out.kind && in.components == out.components && in.size == out.size)
+            candidates.push_back(static_cast<int>(k));
+    }
+    return candidates.empty() || random.chance(2) ? -1 : candidates[random.below(candidates.size())];
+}
+
+// Elements [begin, begin + count) in some way, against the first results.
+Outcome repeat(const Function &function, const Batch &batch, std::size_t begin, std::size_t count, testing::Random &random,
+               const Results &results)
+{
+    std::vector<Stream> streams = function.inputs;
+    streams.push_back(function.output);
+    const std::size_t last = streams.size() - 1, way = random.below(function.ways.size());
+    const bool woven = random.chance(4);
+    const int over = in_place(function, random);
+    Memory memory(random, streams, count, woven);
+    for (std::size_t k = 0; k < last; ++k) {
+        const std::size_t element = streams[k].components * streams[k].size;
+        memory.write(k, batch.inputs[k] + (streams[k].kind == Stream::shared ? 0 : begin * element));
+    }
+    const std::size_t out = over < 0 ? last : static_cast<std::size_t>(over);
+    Call call{memory.place(out), {}, count, random};
+    for (std::size_t k = 0; k < last; ++k)
+        call.in.push_back(memory.place(k));
+    memory.remember();
+    const mw_status status = function.ways[way](call);
+
+    Outcome outcome;
+    const auto fail = [&](std::size_t i, const char *what) {
+        outcome.element = static_cast<std::int64_t>(begin + i);
+        std::snprintf(outcome.fault, sizeof outcome.fault, "%s: way %zu, %zu elements from %zu on%s%s, out stride %zu", what,
+                      way, count, begin, woven ? ", woven" : "", over < 0 ? "" : ", in place", call.out.stride);
+        return outcome;
+    };
+    if (status != MW_OK)
+        return fail(0, mw_status_text(status));
+    if (!memory.changed_only(out))
+        return fail(0, "bytes were written that are none of the results");
+    const std::size_t components = function.output.components, size = function.output.size;
+    std::vector<char> elements(count * components * size);
+    memory.read(out, elements.data());
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t c = 0; c < components; ++c) {
+            const std::size_t here = (i * components + c) * size, there = ((begin + i) * components + c) * size;
+            if (!same_number(&elements[here], &results.elements[there], size))
+                return fail(i, "other bits than alone");
+        }
+    return outcome;
+}
+
+}  // namespace
+
+bool same_number(const char *a, const char *b, std::size_t size)
+{
+    if (std::memcmp(a, b, size) == 0)
+        return true;
+    return size == sizeof(float) ? is_nan<float>(a) && is_nan<float>(b) : is_nan<double>(a) && is_nan<double>(b);
+}
+
+Outcome run(const Function &function, const Batch &batch, std::size_t count, std::uint64_t seed, Results &results)
+{
+    testing::Random random(seed);
+    Call call{packed(function.output, results.elements), {}, count, random};
+    for (std::size_t k = 0; k < function.inputs.size(); ++k)
+        call.in.push_back(packed(function.inputs[k], const_cast<char *>(batch.inputs[k])));
+    std::memset(results.elements, 0xff, count * function.output.components * function.output.size);
+    Outcome outcome;
+    const mw_status status = function.ways[0](call);
+    if (status != MW_OK) {
+        std::snprintf(outcome.fault, sizeof outcome.fault, "%s", mw_status_text(status));
+        outcome.element = 0;
+    }
+    for (int repetition = 0; repetition < 4 && outcome.element < 0; ++repetition) {
+        const std::size_t begin = random.below(count), most = random.chance(2) ? 4 : count;
+        const std::size_t some = 1 + random.below(std::min(count - begin, most));
+        outcome = repeat(function, batch, begin, some, random, results);
+    }
+    return outcome;
+}
+
+}  // namespace motorway::fuzz
