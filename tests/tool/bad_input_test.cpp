@@ -305,7 +305,8 @@ std::vector<BadInput> pose_cases()
                 "motion.json:1: controls[0].steps[0].rotate: unknown key \"along\""),
         control("SevenCoefficients", R"({"motor": [1, 0, 0, 0, 0, 0, 0]})",
                 "motion.json:1: controls[0].motor: must hold 8 numbers"),
-        control("AlphaOfZero", "{\n\"motor\": [0, 0, 0, 0, 1, 2, 3, 4]}", "motion.json:2: controls[0].motor: its first four numbers are zero"),
+        control("AlphaOfZero", "{\n\"motor\": [0, 0, 0, 0, 1, 2, 3, 4]}",
+                "motion.json:2: controls[0].motor: its first four numbers are zero"),
         control("MatrixOfTwoRows", R"({"matrix": [[1, 0, 0, 0], [0, 1, 0, 0]]})",
                 "motion.json:1: controls[0].matrix: must hold 3 or 4 rows of 4 numbers, and holds 2"),
         control("MatrixOfThreeColumns", "{\"matrix\": [[1, 0, 0, 0],\n[0, 1, 0], [0, 0, 1, 0]]}",
@@ -356,12 +357,15 @@ std::vector<BadInput> scheme_cases()
                "motion.json:2: weights: belong to controls of the additive scheme"),
         scheme("ThreeWeights", additive + R"(, "weights": [1, 1, 1])",
                "motion.json:2: weights: holds 3 numbers, and there are 4 poses"),
-        scheme("WeightOfZero", additive + R"(, "weights": [1, 1, 0, 1])", "motion.json:2: weights[2]: is 0, and weights are above 0"),
+        scheme("WeightOfZero", additive + R"(, "weights": [1, 1, 0, 1])",
+               "motion.json:2: weights[2]: is 0, and weights are above 0"),
         scheme("WeightTooSmall", additive + R"(, "weights": [1, 1, 1, 1e-200])",
                "motion.json:2: weights[3]: times its control is too small"),
-        scheme("NegativeWeight", additive + R"(, "weights": [1, -1, 1, 1])", "motion.json:2: weights[1]: is -1, and weights are above 0"),
+        scheme("NegativeWeight", additive + R"(, "weights": [1, -1, 1, 1])",
+               "motion.json:2: weights[1]: is -1, and weights are above 0"),
         knots("NoDegree", R"("knots": [0, 0, 1, 2, 2])", "motion.json:1: the key \"degree\" is missing"),
-        knots("DegreeZero", R"("degree": 0, "knots": [0, 0, 1])", "motion.json:2: degree: is 0, and degrees are from 1"),
+        knots("DegreeZero", R"("degree": 0, "knots": [0, 0, 1])",
+              "motion.json:2: degree: is 0, and degrees are from 1"),
         knots("DegreeOfAHalf", R"("degree": 1.5, "knots": [0, 0, 1])", "motion.json:2: degree: must be a whole"),
         knots("DegreeTooHigh", R"("degree": 32, "knots": [0, 0, 1])", "motion.json:2: degree: is 32, and degrees are"),
         knots("DegreeForMoreControls", R"("degree": 4, "knots": [0, 0, 0, 0, 1, 1, 1])",
@@ -373,8 +377,10 @@ std::vector<BadInput> scheme_cases()
         knots("TooFewIfClosed", R"("degree": 2, "closed": true, "knots": [0, 1, 2, 3])",
               "motion.json:2: knots: there are 4",
               "5 are needed (closed additive motion of degree 2, 4 control poses)"),
-        knots("Decreasing", R"("degree": 2, "knots": [0, 0, 2, 1, 2])", "motion.json:2: knots[3]: is 1, and the knot before it is 2"),
-        knots("DomainOfLengthZero", R"("degree": 2, "knots": [1, 1, 1, 1, 1])", "motion.json:2: knots[3]: is 1, and so is knots[1]"),
+        knots("Decreasing", R"("degree": 2, "knots": [0, 0, 2, 1, 2])",
+              "motion.json:2: knots[3]: is 1, and the knot before it is 2"),
+        knots("DomainOfLengthZero", R"("degree": 2, "knots": [1, 1, 1, 1, 1])",
+              "motion.json:2: knots[3]: is 1, and so is knots[1]"),
         knots("AllEqual", R"("degree": 3, "knots": [1, 1, 1, 1, 1, 1])",
               "motion.json:2: knots[3]: is 1, and so is knots[2]", "last no time"),
         knots("AllEqualIfClosed", R"("degree": 2, "closed": true, "knots": [5, 5, 5, 5, 5])",
@@ -582,6 +588,8 @@ TEST_P(BadInputTest, IsOneLineAndLeavesNothing)
     EXPECT_NE(result.err.find(bad.also), std::string::npos) << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << "one line: " << result.err;
     EXPECT_FALSE(result.err.empty() || result.err.back() != '\n');
+    EXPECT_EQ(result.err.find("MW_"), result.err.npos) << "a name of the C API, which users of the command lack";
+    EXPECT_EQ(result.err.find("mw_"), result.err.npos) << "a name of the C API, which users of the command lack";
     EXPECT_EQ(folder.list(), before) << "nothing written";
 }
 

@@ -94,7 +94,8 @@ const std::vector<Mistake> MISTAKES = {
     {"TooLarge", "[1e400]", "f:1:2: [0]: \"1e400\" is too large a number"},
     {"TooNegative", "[-1e309]", "f:1:2: [0]: \"-1e309\" is too large a number"},
     {"ExponentBeyondAnyNumber", "[1e99999999999999999999]", "f:1:2: [0]: \"1e99999999999999999999\" is too large"},
-    {"ManyDigits", "[" + std::string(100000, '9') + "]", "f:1:2: [0]: \"" + std::string(40, '9') + "...\" is too large"},
+    {"ManyDigits", "[" + std::string(100000, '9') + "]",
+     "f:1:2: [0]: \"" + std::string(40, '9') + "...\" is too large"},
     {"NulAtTheStart", std::string("\0{}", 3), "f:1:1: found the byte 0x00 where a value belongs"},
     {"NulInAText", std::string("[\"a\0\"]", 6), "f:1:4: [0]: the byte 0x00 in a text"},
     {"NulAtTheEnd", std::string("{}\0", 3), "f:1:3: the byte 0x00 after the end"},
@@ -143,7 +144,8 @@ INSTANTIATE_TEST_SUITE_P(, JsonMistakes, ::testing::ValuesIn(MISTAKES),
 
 TEST(Json, ReadsEveryKindOfValue)
 {
-    const Document document = parse_json("\xef\xbb\xbf\r\n{\"\": [], \"a\": {\"b\": [1, [true, false, null], \"\"]} }\t\n", "f");
+    const Document document =
+        parse_json("\xef\xbb\xbf\r\n{\"\": [], \"a\": {\"b\": [1, [true, false, null], \"\"]} }\t\n", "f");
     const Field b = Field(document)["a"]["b"];
     ASSERT_EQ(b.array().size(), 3u);
     EXPECT_EQ(b.array()[0].number(), 1);

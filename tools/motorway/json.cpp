@@ -233,8 +233,9 @@ private:
         if (at_ == text_.size())
             return truncated();
         if (word.empty())
-            return {at_, "found " + json_character(text_, at_) + " where a value belongs; values are numbers, lists in " +
-                             "[], objects in {}, texts in \"\", true, false and null"};
+            return {at_, "found " + json_character(text_, at_) +
+                             " where a value belongs; values are numbers, lists in [], objects in {}, texts in \"\", "
+                             "true, false and null"};
         std::string lower(word);
         std::transform(lower.begin(), lower.end(), lower.begin(),
                        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
