@@ -539,7 +539,10 @@ mw_status mw_inverse_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motor
 mw_status mw_inverse_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
 
 /* out[i] = from[i]^-1 to[i], the relative motor: what is to be done after from[i] to come to to[i], so that composing
- * from[i] and then out[i] gives to[i]. With MW_UNIT_MOTORS from[i] must be normalised.
+ * from[i] and then out[i] gives to[i]. The left factor acts first: as matrices, which act on columns, out is T1 T0^-1,
+ * with T0 that of `from` and T1 that of `to`. T0^-1 T1, the pose of `to` as seen from `from`, is another one:
+ * mw_inverse_motor_each(out, from, count), and then mw_compose_motor_each(out, to, out, count).
+ * With MW_UNIT_MOTORS from[i] must be normalised.
  * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS; degenerate motors: see
  * mw_check_motors. */
 mw_status mw_ratio_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 from, mw_const_motors_f32 to, size_t count,

@@ -9,6 +9,7 @@ matplotlib.use("svg")
 import matplotlib.pyplot as plt  # noqa: E402  pylint: disable=wrong-import-position
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator  # noqa: E402
 
+from . import labels  # noqa: E402
 from .results import Results, Row  # noqa: E402
 
 INK, FAINT, GRID = "#22272e", "#8b949e", "#e4e8ec"
@@ -58,13 +59,20 @@ def throughput(results: Results, kernel: str, directory: str) -> Optional[str]:
         for line, precision in enumerate(precisions):
             for column, layout in enumerate(panels[precision]):
                 handles.update(_throughput_panel(axes[line][column], results, kernel, layout, precision))
-            axes[line][0].set_ylabel("billions of results a second")
+            axes[line][0].set_ylabel(f"billions of {labels.elements(kernel)} a second")
         for axis in axes[-1]:
-            axis.set_xlabel("elements")
-        figure.tight_layout(rect=(0, 0.0, 1, 1 - 0.42 / figure.get_figheight()), h_pad=1.6)
-        figure.legend(handles.values(), handles.keys(), loc="upper left", ncol=len(handles),
-                      bbox_to_anchor=(0.03, 1.0), handlelength=1.8, columnspacing=1.6)
+            axis.set_xlabel(f"{labels.elements(kernel)} in a call (1k is 1,024)")
+        figure.tight_layout(rect=(0, 0, 1, 1 - 1.05 / figure.get_figheight()), h_pad=1.6)
+        _title(figure, labels.title(kernel), "One thread; higher is faster.")
+        figure.legend(handles.values(), handles.keys(), loc="upper left", ncol=(len(handles) + 1) // 2,
+                      bbox_to_anchor=(0, 1 - 0.42 / figure.get_figheight()), handlelength=1.8, columnspacing=1.6)
         return _save(figure, directory, f"throughput_{kernel}.svg")
+
+
+def _title(figure, title: str, text: str) -> None:
+    left, inch = 0.1 / figure.get_figwidth(), 1 / figure.get_figheight()
+    figure.text(left, 1, title, va="top", fontsize=11, fontweight="bold")
+    figure.text(left, 1 - 0.23 * inch, text, va="top")
 
 
 def _layouts(rows: List[Row], precision: str) -> List[str]:
@@ -78,23 +86,25 @@ def _throughput_panel(axis, results: Results, kernel: str, layout: str, precisio
     for isa in results.isas:
         rows = _series(results.rows, kernel, layout, precision, isa)
         if rows:
-            handles[isa] = _line(axis, rows, color=ISA_COLOURS.get(isa, INK), marker="o", markersize=3.2,
-                                 linewidth=2.2 if isa == results.isas[0] else 1.4, zorder=5)
+            handles[labels.instruction_set(isa)] = _line(
+                axis, rows, color=ISA_COLOURS.get(isa, INK), marker="o", markersize=3.2,
+                linewidth=2.2 if isa == results.isas[0] else 1.4, zorder=5)
+    best_isa = labels.instruction_set(results.isas[0])
     unit = _series(results.rows, kernel + "-unit", layout, precision, results.isas[0])
     if unit:
-        handles[f"{results.isas[0]}, MW_UNIT_MOTORS"] = _line(axis, unit, color=ISA_COLOURS.get(results.isas[0], INK),
-                                                             linewidth=1.4, linestyle=(0, (1, 1)), zorder=5)
-    for label, colour, wanted in (("best plain loop", PLAIN, True), ("best library", LIBRARY, False)):
+        handles[f"{best_isa}, unit motors"] = _line(axis, unit, color=ISA_COLOURS.get(results.isas[0], INK),
+                                                    linewidth=1.4, linestyle=(0, (1, 1)), zorder=5)
+    for label, colour, wanted in (("best loop in C", PLAIN, True), ("best other library", LIBRARY, False)):
         rows = _best_baselines(results, kernel, layout, precision, wanted)
         if rows:
             handles[label] = _line(axis, rows, color=colour, linewidth=1.3, linestyle=(0, (4, 2)), zorder=4)
     best = _series(results.rows, kernel, layout, precision, results.isas[0])
     limited = [row for row in best if results.limit_seconds(row)]
     if limited:
-        handles["limit of the machine"], = axis.plot(
+        handles["limit of this machine"], = axis.plot(
             [row.count for row in limited], [row.results / results.limit_seconds(row)[0] / 1e9 for row in limited],
             color=LIMIT, linewidth=1.2, zorder=3)
-    _decorate(axis, results, best, f"{layout}, {precision}")
+    _decorate(axis, results, best, f"{labels.layout(layout)}, {labels.precision(precision)}")
     return handles
 
 
@@ -145,7 +155,7 @@ def _mark_caches(axis, results: Results, rows: List[Row]) -> None:
         count = size / bytes_per_element
         if low < count < high:
             axis.axvline(count, color=FAINT, linewidth=0.8, linestyle=(0, (1, 2)), zorder=1)
-            axis.annotate(name, (count, 1), xycoords=("data", "axes fraction"), xytext=(0, 2),
+            axis.annotate(f"{name} cache full", (count, 1), xycoords=("data", "axes fraction"), xytext=(0, 2),
                           textcoords="offset points", ha="center", va="bottom", fontsize=7.5, color=FAINT)
 
 
@@ -160,11 +170,15 @@ def against_baselines(results: Results, kernel: str, precision: str, count: int,
         return None
     panels = [_competitors(results, ours, kernel, layout, precision, count) for layout in layouts]
     with plt.rc_context(STYLE):
-        height = 0.235 * max(len(panel) for panel in panels) + 0.9
-        figure, axes = plt.subplots(1, len(layouts), figsize=(4.6 * len(layouts), height), squeeze=False)
+        height = 0.235 * max(len(panel) for panel in panels) + 1.5
+        figure, axes = plt.subplots(1, len(layouts), figsize=(max(5 * len(layouts), 7), height), squeeze=False)
         for axis, layout, panel in zip(axes[0], layouts, panels):
-            _bar_panel(axis, results, panel, f"{layout}, {precision}, {count:,} elements")
-        figure.tight_layout(w_pad=2.0)
+            _bar_panel(axis, results, panel, labels.layout(layout))
+            axis.set_xlabel(f"billions of {labels.elements(kernel)} a second")
+        figure.tight_layout(rect=(0, 0, 1, 1 - 0.55 / height), w_pad=2.0)
+        _title(figure, labels.title(kernel),
+               f"{count:,} {labels.elements(kernel)} of {labels.precision(precision)} in a call, one thread; "
+               "longer is faster. In colour: Motorway; grey: other libraries; dark: loops in C.")
         return _save(figure, directory, f"baselines_{kernel}_{precision}.svg")
 
 
@@ -185,8 +199,7 @@ def _bar_panel(axis, results: Results, rows: List[Row], title: str) -> None:
     colours = [_colour(results, row) for row in rows]
     axis.barh(range(len(rows)), rates, color=colours, height=0.72)
     axis.set_yticks(range(len(rows)))
-    axis.set_yticklabels([f"motorway {row.isa or row.rival}" if row.isa or row.is_own else row.rival
-                          for row in rows])
+    axis.set_yticklabels([labels.instruction_set(row.isa) if row.isa else labels.baseline(row.rival) for row in rows])
     for label, row in zip(axis.get_yticklabels(), rows):
         label.set_fontweight("bold" if row.isa else "normal")
     for place, rate in enumerate(rates):
@@ -197,9 +210,8 @@ def _bar_panel(axis, results: Results, rows: List[Row], title: str) -> None:
     axis.set_xlim(0, 1.14 * max(rates + [limit]))
     if limit:
         axis.axvline(limit, color=LIMIT, linewidth=1.2)
-        axis.annotate("limit", (limit, 1), xycoords=("data", "axes fraction"), xytext=(0, 2),
+        axis.annotate("limit of this machine", (limit, 1), xycoords=("data", "axes fraction"), xytext=(0, 2),
                       textcoords="offset points", ha="center", va="bottom", fontsize=7.5, color=LIMIT)
     axis.set_title(title, pad=14)
-    axis.set_xlabel("billions of results a second")
     axis.grid(axis="y", visible=False)
     axis.tick_params(length=0)

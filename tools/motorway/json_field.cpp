@@ -2,194 +2,125 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ios>
-#include <set>
-#include <sstream>
+#include <cstdlib>
 
+#include "json_text.h"
 #include "text.h"
 
 namespace motorway::tool {
 namespace {
 
-/* motion.json:3: controls[0].motor */
-std::string place(const std::string &file, std::size_t line, const std::string &path)
+/* By the first character of a value. */
+const char *type_name(char first)
 {
-    return file + (line ? ":" + std::to_string(line) : "") + (path.empty() ? "" : ": " + path);
+    switch (first) {
+    case '{':
+        return "an object";
+    case '[':
+        return "a list";
+    case '"':
+        return "a text";
+    case 't':
+    case 'f':
+        return "true or false";
+    case 'n':
+        return "null";
+    default:
+        return "a number";
+    }
 }
-
-/* Reads a document for its mistakes: where it stops being JSON, and keys that come twice, of which nlohmann::json
- * would silently keep the last. It keeps the path of the field it is in, and the line of every field. */
-class Proofreader : public nlohmann::json_sax<nlohmann::json> {
-public:
-    Proofreader(const std::string &contents, const std::string &file, std::map<std::string, std::size_t> &lines)
-        : contents_(contents), file_(file), lines_(lines), stream_(contents)
-    {
-    }
-
-    void read() { nlohmann::json::sax_parse(stream_, this); }
-
-    bool null() override { return value(); }
-    bool boolean(bool) override { return value(); }
-    bool number_integer(number_integer_t) override { return value(); }
-    bool number_unsigned(number_unsigned_t) override { return value(); }
-    bool number_float(number_float_t, const string_t &) override { return value(); }
-    bool string(string_t &) override { return value(); }
-    bool binary(binary_t &) override { return value(); }
-
-    bool start_object(std::size_t) override { return begin(false); }
-    bool start_array(std::size_t) override { return begin(true); }
-    bool end_object() override { return end(); }
-    bool end_array() override { return end(); }
-
-    bool key(string_t &name) override
-    {
-        levels_.back().key.clear();
-        if (!levels_.back().keys.insert(name).second)
-            throw Error(place(file_, line(), path()), "the key " + in_quotes(name) + " comes twice here; keep one");
-        levels_.back().key = name;
-        return true;
-    }
-
-    bool parse_error(std::size_t position, const std::string &token,
-                     const nlohmann::json::exception &problem) override
-    {
-        const std::size_t end = std::min(position, contents_.size());
-        const auto line =
-            1 + std::count(contents_.begin(), contents_.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-        const std::string field = path().empty() ? "" : "at " + path() + ": ";
-        /* 406 is a number that no double holds. */
-        const std::string what = problem.id == 406 ? in_quotes(token) + " is too large a number; write a smaller one"
-                                                   : "not JSON from " + in_quotes(token) +
-                                                         " on; numbers are finite and decimal, words in quotes";
-        throw Error(file_ + ":" + std::to_string(line), field + what);
-    }
-
-private:
-    struct Level {
-        bool is_array;
-        std::size_t index;
-        std::string key;
-        std::set<std::string> keys;
-    };
-
-    bool begin(bool is_array)
-    {
-        lines_[path()] = line();
-        levels_.push_back({is_array, 0, "", {}});
-        return true;
-    }
-    bool end()
-    {
-        levels_.pop_back();
-        return next();
-    }
-    bool value()
-    {
-        lines_[path()] = line();
-        return next();
-    }
-    bool next()
-    {
-        if (!levels_.empty())
-            ++levels_.back().index;
-        return true;
-    }
-
-    /* The line of what was just read. To find the end of a number the character after it is read too, which may be
-     * the end of the line: so the last character read does not count. */
-    std::size_t line()
-    {
-        const std::streamoff read = stream_.rdbuf()->pubseekoff(0, std::ios::cur, std::ios::in);
-        for (; counted_ + 1 < read; ++counted_)
-            line_ += contents_[static_cast<std::size_t>(counted_)] == '\n';
-        return line_;
-    }
-
-    std::string path() const
-    {
-        std::string text;
-        for (const Level &level : levels_) {
-            if (level.is_array)
-                text += "[" + std::to_string(level.index) + "]";
-            else if (!level.key.empty())
-                text += (text.empty() ? "" : ".") + level.key;
-        }
-        return text;
-    }
-
-    const std::string &contents_;
-    const std::string &file_;
-    std::map<std::string, std::size_t> &lines_;
-    std::istringstream stream_;
-    std::vector<Level> levels_;
-    std::streamoff counted_ = 0; /* how many characters line_ has been counted over */
-    std::size_t line_ = 1;
-};
 
 } // namespace
 
-Document parse_json(const std::string &contents, const std::string &path)
+char Field::first_character() const
 {
-    Document document;
-    document.file = path;
-    Proofreader(contents, document.file, document.lines).read();
-    document.value = nlohmann::json::parse(contents);
-    return document;
+    return document_->contents[document_->nodes[node_].begin];
+}
+
+std::string Field::text_at(std::size_t node) const
+{
+    std::size_t at = document_->nodes[node].begin;
+    return read_json_text(document_->contents, at);
+}
+
+/* From the root down, always into the value that holds this one. */
+std::string Field::path() const
+{
+    const std::vector<JsonNode> &nodes = document_->nodes;
+    std::string path;
+    for (std::size_t node = 0; node != node_;) {
+        const bool is_object = document_->contents[nodes[node].begin] == '{';
+        std::size_t value = node + 1 + is_object, index = 0;
+        for (; nodes[value].next <= node_; ++index)
+            value = nodes[value].next + is_object;
+        if (is_object)
+            append_key(path, text_at(value - 1));
+        else
+            append_index(path, index);
+        node = value;
+    }
+    return path;
 }
 
 Error Field::error(const std::string &what) const
 {
-    return error_at(path_, what);
+    return error_in_line_of(node_, what);
 }
 
-/* Fields that the file does not have, but implies, have no line. */
-Error Field::error_at(const std::string &path, const std::string &what) const
+Error Field::error_in_line_of(std::size_t node, const std::string &what) const
 {
-    const auto found = document_->lines.find(path);
-    return Error(place(document_->file, found == document_->lines.end() ? 0 : found->second, path_), what);
-}
-
-std::string Field::path_of(const char *key) const
-{
-    return (path_.empty() ? "" : path_ + ".") + key;
+    const std::size_t line = place_in(document_->contents, document_->nodes[node].begin).line;
+    const std::string where = path();
+    return Error(document_->file + ":" + std::to_string(line) + (where.empty() ? "" : ": " + where), what);
 }
 
 Error Field::wrong_type(const char *wanted) const
 {
-    return error(std::string("must be ") + wanted + ", and is " + value_->type_name() + "; correct it");
+    return error(std::string("must be ") + wanted + ", and is " + type_name(first_character()) + "; correct it");
+}
+
+std::optional<Field> Field::find(const char *key) const
+{
+    if (first_character() != '{')
+        return std::nullopt;
+    const std::vector<JsonNode> &nodes = document_->nodes;
+    for (std::size_t name = node_ + 1; name < nodes[node_].next; name = nodes[name + 1].next)
+        if (text_at(name) == key)
+            return Field(*document_, name + 1);
+    return std::nullopt;
 }
 
 void Field::check_object(std::initializer_list<const char *> keys) const
 {
-    if (!value_->is_object())
+    if (first_character() != '{')
         throw wrong_type("an object in braces");
-    for (const auto &item : value_->items()) {
-        const auto is_key = [&](const char *key) { return item.key() == key; };
-        if (std::any_of(keys.begin(), keys.end(), is_key))
+    const std::vector<JsonNode> &nodes = document_->nodes;
+    for (std::size_t name = node_ + 1; name < nodes[node_].next; name = nodes[name + 1].next) {
+        const std::string written = text_at(name);
+        if (std::any_of(keys.begin(), keys.end(), [&](const char *key) { return written == key; }))
             continue;
         std::string known;
         for (const char *key : keys)
             known += (known.empty() ? "" : ", ") + std::string(key);
-        throw error_at(path_of(item.key().c_str()),
-                       "unknown key " + in_quotes(item.key()) + "; the keys here are " + known);
+        throw error_in_line_of(name, "unknown key " + in_quotes(written) + "; the keys here are " + known);
     }
 }
 
 Field Field::operator[](const char *key) const
 {
-    if (!value_->is_object())
+    if (first_character() != '{')
         throw wrong_type("an object in braces");
-    const auto found = value_->find(key);
-    if (found == value_->end())
+    const std::optional<Field> field = find(key);
+    if (!field)
         throw error("the key \"" + std::string(key) + "\" is missing; add it");
-    return Field(*found, *document_, path_of(key));
+    return *field;
 }
 
 double Field::number() const
 {
-    if (!value_->is_number())
+    if (first_character() != '-' && (first_character() < '0' || first_character() > '9'))
         throw wrong_type("a number");
-    const double number = value_->get<double>();
+    const double number = std::strtod(document_->contents.c_str() + document_->nodes[node_].begin, nullptr);
     if (!std::isfinite(static_cast<float>(number)))
         throw error("is too large for a float; write a smaller number");
     return number;
@@ -205,25 +136,25 @@ long long Field::integer() const
 
 bool Field::boolean() const
 {
-    if (!value_->is_boolean())
+    if (first_character() != 't' && first_character() != 'f')
         throw wrong_type("true or false");
-    return value_->get<bool>();
+    return first_character() == 't';
 }
 
 std::string Field::string() const
 {
-    if (!value_->is_string())
+    if (first_character() != '"')
         throw wrong_type("a text in quotes");
-    return value_->get<std::string>();
+    return text_at(node_);
 }
 
 std::vector<Field> Field::array() const
 {
-    if (!value_->is_array())
+    if (first_character() != '[')
         throw wrong_type("a list in brackets");
     std::vector<Field> fields;
-    for (std::size_t i = 0; i < value_->size(); ++i)
-        fields.push_back(Field((*value_)[i], *document_, path_ + "[" + std::to_string(i) + "]"));
+    for (std::size_t node = node_ + 1; node < document_->nodes[node_].next; node = document_->nodes[node].next)
+        fields.push_back(Field(*document_, node));
     return fields;
 }
 

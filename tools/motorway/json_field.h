@@ -1,33 +1,22 @@
-/* JSON as the tool wants it: no key twice, no unknown key, and an error that says which line and field it means. */
+/* JSON as the tool wants it: no unknown key, and an error that says which line and field it means. */
 #ifndef MOTORWAY_TOOL_JSON_FIELD_H
 #define MOTORWAY_TOOL_JSON_FIELD_H
 
 #include <cstddef>
 #include <initializer_list>
-#include <map>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "error.h"
+#include "json.h"
 
 namespace motorway::tool {
-
-struct Document {
-    nlohmann::json value;
-    std::string file;
-    std::map<std::string, std::size_t> lines; /* where fields begin, by their paths: controls[3].motor */
-};
-
-/* The document. Throws an Error with file, line and field if it is not JSON, or if an object has a key twice. */
-Document parse_json(const std::string &contents, const std::string &path);
 
 /* A value in a document that knows where it stands. The document must outlive it. */
 class Field {
 public:
-    explicit Field(const Document &document) : Field(document.value, document, "") {}
+    explicit Field(const Document &document) : Field(document, 0) {}
 
     /* The error, at this field. */
     Error error(const std::string &what) const;
@@ -35,7 +24,7 @@ public:
     /* Throws unless this is an object with no other keys than these. */
     void check_object(std::initializer_list<const char *> keys) const;
 
-    bool has(const char *key) const { return value_->contains(key); }
+    bool has(const char *key) const { return find(key).has_value(); }
     Field operator[](const char *key) const;
 
     double number() const; /* finite, and finite as a float */
@@ -47,18 +36,17 @@ public:
     std::vector<double> numbers(std::size_t count) const;
 
 private:
-    Field(const nlohmann::json &value, const Document &document, std::string path)
-        : value_(&value), document_(&document), path_(std::move(path))
-    {
-    }
+    Field(const Document &document, std::size_t node) : document_(&document), node_(node) {}
 
+    char first_character() const;
+    std::string path() const; /* controls[3].motor */
+    std::string text_at(std::size_t node) const; /* a key, or a text */
+    std::optional<Field> find(const char *key) const; /* of an object; nothing of anything else */
+    Error error_in_line_of(std::size_t node, const std::string &what) const;
     Error wrong_type(const char *wanted) const;
-    Error error_at(const std::string &path, const std::string &what) const; /* on the line of the field at `path` */
-    std::string path_of(const char *key) const;
 
-    const nlohmann::json *value_;
     const Document *document_;
-    std::string path_;
+    std::size_t node_;
 };
 
 } // namespace motorway::tool

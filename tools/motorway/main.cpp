@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "command_line.h"
 #include "compare_command.h"
 #include "error.h"
 #include "figures_command.h"
@@ -41,6 +42,7 @@ void add_pose_command(CLI::App &app, PoseOptions &options)
         ->type_name("FILE");
     pose->add_option("--frames", options.frames, "how many poses, spread evenly over the motion")
         ->required()
+        ->check(whole_number())
         ->type_name("N");
     pose->add_option("--out", options.out,
                      ".glb: one animated file; .obj or .ply: a file a frame, frame.obj becoming frame-0000.obj ...")
@@ -48,12 +50,15 @@ void add_pose_command(CLI::App &app, PoseOptions &options)
         ->type_name("PATH");
     pose->add_option("--picture", options.picture, "also draw the mesh along its path, as .svg")->type_name("FILE");
     pose->add_option("--picture-poses", options.picture_poses, "how many poses the picture shows; 9 if not given")
+        ->check(whole_number())
         ->type_name("N");
     pose->add_option(
             "--scale", options.scale,
             "multiply the mesh by this first; if not given, it gets the mesh_size of the motion file, if any")
+        ->check(number())
         ->type_name("X");
     pose->add_option("--fps", options.frames_per_second, "frames a second of a .glb; 30 if not given")
+        ->check(number())
         ->type_name("X");
     pose->callback([&options] { run_pose(options); });
 }
@@ -65,6 +70,7 @@ void add_sample_command(CLI::App &app, SampleOptions &options)
     sample->add_option("MOTION", options.motion, "the motion, a .json file (docs/motion-format.md)")->required();
     sample->add_option("--count", options.count, "how many samples, from the first parameter to the last")
         ->required()
+        ->check(whole_number())
         ->type_name("N");
     CLI::Option *velocity = sample->add_flag(
         "--velocity", options.velocity,
@@ -73,14 +79,14 @@ void add_sample_command(CLI::App &app, SampleOptions &options)
         ->add_option("--frame", options.frame,
                      "the coordinates of velocities: of the space (if not given) or the body")
         ->needs(velocity)
-        ->check(CLI::IsMember({"space", "body"}))
+        ->check(one_of({"space", "body"}))
         ->type_name("FRAME");
     sample
         ->add_option("--even", options.even,
                      "samples equally far apart along the way of this point of the body, not in the parameter")
         ->type_name("X,Y,Z");
     sample->add_option("--format", options.format, "if not given: json if FILE ends so, else csv")
-        ->check(CLI::IsMember({"csv", "json"}))
+        ->check(one_of({"csv", "json"}))
         ->type_name("FORMAT");
     sample->add_option("-o,--out", options.out, "where to write; if not given, the standard output")
         ->type_name("FILE");
@@ -95,14 +101,16 @@ void add_compare_command(CLI::App &app, CompareOptions &options)
     compare
         ->add_option("--against", options.against,
                      "in place of SECOND: the controls, or keys, of FIRST under another scheme")
-        ->check(CLI::IsMember({"additive", "multiplicative", "cumulative", "generator", "generator_keys"}))
+        ->check(one_of({"additive", "multiplicative", "cumulative", "generator", "generator_keys"}))
         ->type_name("SCHEME");
     compare->add_option("--mesh", options.mesh, "the mesh, .obj or .ply")->required()->type_name("FILE");
     compare->add_option("--samples", options.samples, "how many poses of each to compare; 1001 if not given")
+        ->check(whole_number())
         ->type_name("N");
     compare
         ->add_option("--scale", options.scale,
                      "multiply the mesh by this first; if not given, it gets the mesh_size of FIRST, if any")
+        ->check(number())
         ->type_name("X");
     compare->callback([&options] { run_compare(options); });
 }
@@ -136,7 +144,7 @@ int run(int argc, char **argv)
     } catch (const CLI::ParseError &problem) {
         if (problem.get_exit_code() == 0)
             return app.exit(problem);
-        std::fprintf(stderr, "motorway: error: %s; see motorway --help\n", problem.what());
+        std::fprintf(stderr, "motorway: error: %s\n", describe_mistake(app, problem).c_str());
         return BAD_INPUT;
     }
     return 0;

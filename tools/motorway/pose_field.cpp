@@ -48,7 +48,7 @@ mw_motor_f64 read_rotation(const Field &rotation)
     mw_motor_f64 motor;
     const mw_status status = mw_rotation_f64(&motor, axis.data(), angle, vector_or_zero(rotation, "through").data());
     if (status == MW_ERROR_AXIS)
-        throw rotation["axis"].error(mw_status_text(status));
+        throw rotation["axis"].error("has length zero and no direction; [0, 0, 1] is the z axis");
     check(status, "a rotation");
     return motor;
 }
@@ -81,7 +81,8 @@ mw_motor_f64 read_motor(const Field &pose)
     const mw_motor_f64 motor = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
     const mw_status status = mw_check_motors_f64(one(motor), 1, nullptr);
     if (status == MW_ERROR_DEGENERATE_MOTOR)
-        throw pose["motor"].error(mw_status_text(status));
+        throw pose["motor"].error("its first four numbers are zero, or all but, so that it is no pose; "
+                                  "[1, 0, 0, 0, 0, 0, 0, 0] is the one that moves nothing");
     check(status, "a motor");
     return motor;
 }

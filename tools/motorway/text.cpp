@@ -104,13 +104,40 @@ std::string counted(std::uint64_t count, const std::string &noun)
     return grouped(count) + " " + noun + (noun.back() == 's' ? "es" : "s");
 }
 
+/* What could be written shorter, surrogates, and what is beyond Unicode are no characters. */
+std::size_t utf8_length(std::string_view text)
+{
+    constexpr std::uint32_t SMALLEST[] = {0x80, 0x800, 0x10000}, LARGEST = 0x10ffff;
+    const auto byte = [&](std::size_t k) { return std::uint32_t{static_cast<unsigned char>(text[k])}; };
+    if (text.empty())
+        return 0;
+    if (byte(0) < 0x80)
+        return 1;
+    const std::size_t length = byte(0) < 0xe0 ? 2 : byte(0) < 0xf0 ? 3 : 4;
+    if (byte(0) < 0xc0 || byte(0) >= 0xf8 || text.size() < length)
+        return 0;
+    std::uint32_t code_point = byte(0) & (0x7f >> length);
+    for (std::size_t k = 1; k < length; ++k) {
+        if ((byte(k) & 0xc0) != 0x80)
+            return 0;
+        code_point = code_point << 6 | (byte(k) & 0x3f);
+    }
+    const bool is_surrogate = code_point >= 0xd800 && code_point <= 0xdfff;
+    return code_point < SMALLEST[length - 2] || code_point > LARGEST || is_surrogate ? 0 : length;
+}
+
 std::string in_quotes(std::string_view words)
 {
     constexpr std::size_t LONGEST = 40;
     std::string safe = "\"";
-    for (char c : words.substr(0, LONGEST))
-        safe += static_cast<unsigned char>(c) < ' ' || c == 0x7f ? '?' : c;
-    return safe + (words.size() > LONGEST ? "...\"" : "\"");
+    std::size_t at = 0;
+    while (at < words.size() && at < LONGEST) {
+        const std::size_t length = utf8_length(words.substr(at));
+        const bool is_control = length == 1 && (static_cast<unsigned char>(words[at]) < ' ' || words[at] == 0x7f);
+        safe += length == 0 || is_control ? "?" : words.substr(at, length);
+        at += length == 0 ? 1 : length;
+    }
+    return safe + (at < words.size() ? "...\"" : "\"");
 }
 
 } // namespace motorway::tool

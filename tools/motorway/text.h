@@ -36,7 +36,11 @@ std::string byte_size(std::uintmax_t bytes);
 /* "1 face", "2 faces". */
 std::string counted(std::uint64_t count, const std::string &noun);
 
-/* Words of a file, made safe to print on one line: in quotes, cut short, without control characters. */
+/* How many bytes the character of UTF-8 has that the text begins with; 0 if it begins with none. */
+std::size_t utf8_length(std::string_view text);
+
+/* Words of a file, made safe to print on one line: in quotes, cut short, without control characters, and
+ * UTF-8 whatever they are. */
 std::string in_quotes(std::string_view words);
 
 } // namespace motorway::tool
