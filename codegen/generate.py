@@ -138,6 +138,7 @@ def render_all() -> Dict[str, str]:
             files[f"golden/{kernel.name}.inc"] = render("golden.inc.j2", **golden_values(kernel))
         rows += [list_row(variant) for variant in variants]
     files["kernels/approximations.inl"] = render("approximations.inl.j2", **approximation_values())
+    files["inverse_two_pi.inc"] = render("inverse_two_pi.inc.j2", lines=inverse_two_pi_lines())
     files["kernel_list.inc"] = render("kernel_list.inc.j2", rows=rows)
     files["product_tables.md"] = render("product_tables.md.j2", **product_table_values())
     return files
@@ -255,9 +256,12 @@ def approximation_values() -> Dict[str, object]:
             {"name": name, "meaning": meaning, "literals": [literal(value(p), p) for p in MANTISSA_BITS]}
             for name, (meaning, value) in REAL_NUMBERS.items()
         ],
-        "words": textwrap.wrap(", ".join(f"0x{word:08x}" for word in inverse_two_pi_words()) + ",", WIDTH - 4),
         "polynomials": [polynomial_values(name, row) for name, row in TABLE.items() if name in used_functions()],
     }
+
+
+def inverse_two_pi_lines() -> List[str]:
+    return textwrap.wrap(", ".join(f"0x{word:08x}" for word in inverse_two_pi_words()) + ",", WIDTH)
 
 
 def used_functions() -> Set[str]:

@@ -1,10 +1,9 @@
 #include "scalar_math.h"
 
+#include "exact_angle.h"
+
 namespace motorway {
 namespace {
-
-using word = std::uint32_t;
-using two_words = std::uint64_t;
 
 std::uint64_t bits_of_double(double x)
 {
@@ -27,102 +26,6 @@ double power_of_two(int n) { return double_of_bits(static_cast<std::uint64_t>(n 
 double upper_half(double x) { return double_of_bits(bits_of_double(x) & ~((std::uint64_t(1) << 27) - 1)); }
 
 // ------------------------------------------------------------------------------------- sine and cosine
-
-// 2^64 · 2/π in binary: two words of zeros and then the fraction, as far as the largest double asks for.
-constexpr word two_over_pi[] = {
-    0x00000000, 0x00000000, 0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0, 0xdb629599, 0x3c439041, 0xfe5163ab,
-    0xdebbc561, 0xb7246e3a, 0x424dd2e0, 0x06492eea, 0x09d1921c, 0xfe1deb1c, 0xb129a73e, 0xe88235f5, 0x2ebb4484,
-    0xe99c7026, 0xb45f7e41, 0x3991d639, 0x835339f4, 0x9c845f8b, 0xbdf9283b, 0x1ff897ff, 0xde05980f, 0xef2f118b,
-    0x5a0a6d1f, 0x6d367ecf, 0x27cb09b7, 0x4f463f66, 0x9e5fea2d, 0x7527bac7, 0xebe5f17b, 0x3d0739f7, 0x8a5292ea,
-    0x6bfb5fb1, 0x1f8d5d08, 0x56033046, 0xfc7b6bab};
-
-// A number of 192 bits, the most significant word first.
-constexpr int words = 6;
-using wide = word[words];
-
-// The 192 bits of 2/π from the given one on.
-void take_bits(wide &window, int first)
-{
-    const word *from = two_over_pi + first / 32;
-    const int shift = first % 32;
-    for (int i = 0; i < words; ++i) {
-        const two_words pair = two_words(from[i]) << 32 | from[i + 1];
-        window[i] = static_cast<word>(pair >> (32 - shift));
-    }
-}
-
-// product = window · factor, without what is above 192 bits.
-void multiply(wide &product, const wide &window, std::uint64_t factor)
-{
-    const two_words low = factor & 0xffffffff, high = factor >> 32;
-    two_words carry = 0;
-    for (int i = words - 1; i >= 0; --i, carry >>= 32) {
-        carry += low * window[i];
-        product[i] = static_cast<word>(carry);
-    }
-    carry = 0;
-    for (int i = words - 2; i >= 0; --i, carry >>= 32) {
-        carry += high * window[i + 1] + product[i];
-        product[i] = static_cast<word>(carry);
-    }
-}
-
-// An angle is quadrant · π/2 + high + low, with |high| up to π/4.
-struct reduced_angle {
-    int quadrant;
-    double high, low;
-};
-
-// fraction · π/2 of a number in two parts.
-void times_half_pi(double high, double low, reduced_angle &result)
-{
-    constexpr double first = 0x1.921fb5p+0, second = 0x1.110b46p-26, third = 0x1.1a62633145c07p-54; // π/2
-    const double upper = upper_half(high), lower = high - upper;
-    const double rest = (upper * second + lower * first) + (lower * second + high * third + low * (first + second));
-    result.high = upper * first + rest;
-    result.low = rest - (result.high - upper * first);
-}
-
-// By Payne and Hanek: of the product of the angle and 2/π only the two bits of the quadrant and what is below them are
-// made, exactly, so that no angle is too large. No double is nearer to a multiple of π/2 than 2^-62 of it, and 137 of
-// the bits are right.
-reduced_angle reduce(double angle)
-{
-    if (__builtin_fabs(angle) < 0.75)
-        return {0, angle, 0};
-    const std::uint64_t bits = bits_of_double(angle), implicit = std::uint64_t(1) << 52;
-    const int exponent = static_cast<int>(bits >> 52 & 0x7ff) - 1075; // of the last bit
-    wide window, product;
-    take_bits(window, exponent - 2 + 64);
-    multiply(product, window, (bits & (implicit - 1)) | implicit);
-
-    int quadrant = static_cast<int>(product[0] >> 30);
-    product[0] &= 0x3fffffff;
-    double sign = 1;
-    if (product[0] >= 0x20000000) { // beyond the middle of it: from the next quadrant backwards
-        quadrant += 1;
-        sign = -1;
-        product[0] ^= 0x3fffffff;
-        for (int i = 1; i < words; ++i)
-            product[i] = ~product[i];
-    }
-    int first = 0;
-    while (product[first] == 0 && first < words - 4)
-        ++first;
-    const double scale = sign * power_of_two(-30 - 32 * first);
-    const double a = product[first], b = product[first + 1] * 0x1p-32, c = product[first + 2] * 0x1p-64,
-                 d = product[first + 3] * 0x1p-96;
-    const double high = a + b, low = (b - (high - a)) + (c + d);
-    const double sum = high + low;
-    reduced_angle result{quadrant, 0, 0};
-    times_half_pi(scale * sum, scale * (low - (sum - high)), result);
-    if (angle < 0) {
-        result.quadrant = -quadrant;
-        result.high = -result.high;
-        result.low = -result.low;
-    }
-    return result;
-}
 
 constexpr double factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 
@@ -200,7 +103,7 @@ sine_cosine sine_and_cosine(double angle)
         return {angle - angle, angle - angle};
     if (angle == 0)
         return {angle, 1};
-    const reduced_angle r = reduce(angle);
+    const quadrant_angle r = __builtin_fabs(angle) < 0.75 ? quadrant_angle{0, angle, 0} : in_quadrant(angle);
     const double s = sine_of(r.high, r.low), c = cosine_of(r.high, r.low);
     switch (r.quadrant & 3) {
     case 0: return {s, c};

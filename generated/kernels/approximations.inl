@@ -61,15 +61,6 @@ template <class V> inline V inverse_two_pi()
     return V(is_single<V> ? scalar_of<V>(0.15915494f) : scalar_of<V>(0.15915494309189535));
 }
 
-// The bits of 1/(2π) behind the point, the highest first.
-constexpr unsigned inverse_two_pi_words[] = {
-    0x28be60db, 0x9391054a, 0x7f09d5f4, 0x7d4d3770, 0x36d8a566, 0x4f10e410, 0x7f9458ea, 0xf7aef158, 0x6dc91b8e,
-    0x909374b8, 0x01924bba, 0x82746487, 0x3f877ac7, 0x2c4a69cf, 0xba208d7d, 0x4baed121, 0x3a671c09, 0xad17df90,
-    0x4e64758e, 0x60d4ce7d, 0x272117e2, 0xef7e4a0e, 0xc7fe25ff, 0xf7816603, 0xfbcbc462, 0xd6829b47, 0xdb4d9fb3,
-    0xc9f2c26d, 0xd3d18fd9, 0xa797fa8b, 0x5d49eeb1, 0xfaf97c5e, 0xcf41ce7d, 0xe294a4ba, 0x9afed7ec, 0x47e35742,
-    0x1580cc11, 0xbf1edaea, 0xfc33ef08, 0x26bd0d87, 0x6a78e458, 0x57b986c2,
-};
-
 // sin √x / √x on [0, 21/2]: of degree 6 in float and 10 in double.
 // The error is below 1.9e-09 and 3.2e-18, proved.
 template <class V> inline V sinc(const V &x)
