@@ -29,6 +29,15 @@ template <class T> void assign(T *to, const vector3 &v)
     to[0] = static_cast<T>(v.x), to[1] = static_cast<T>(v.y), to[2] = static_cast<T>(v.z);
 }
 
+// Of length 1. Of very short and very long vectors the inverse of the length would not be a normal number, nor would that
+// of a short one have all its digits.
+vector3 direction(const vector3 &a)
+{
+    const double size = std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
+    const vector3 b = (size < 0x1p-500 ? 0x1p+600 : size > 0x1p+500 ? 0x1p-600 : 1) * a;
+    return (1 / length(b)) * b;
+}
+
 template <class T, class Twist> mw_status split_bivector(Twist *out, const T *b)
 {
     if (!out || !b)
@@ -37,7 +46,7 @@ template <class T, class Twist> mw_status split_bivector(Twist *out, const T *b)
     if (!is_finite(turn) || !is_finite(moment))
         return MW_ERROR_AXIS;
     const double half_angle = length(turn);
-    const vector3 axis = half_angle > 0 ? (1 / half_angle) * turn : vector3{0, 0, 1};
+    const vector3 axis = half_angle > 0 ? direction(turn) : vector3{0, 0, 1};
     const vector3 along = 2 * dot(axis, moment) * axis;
     assign(out->axis, axis);
     out->angle = static_cast<T>(2 * half_angle);

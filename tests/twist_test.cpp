@@ -129,6 +129,25 @@ TYPED_TEST(TwistTest, a_generator_by_numbers)
     }
 }
 
+// So short or so long that the inverse of the length is no normal number. The axis is right all the same.
+TYPED_TEST(TwistTest, generators_of_any_size)
+{
+    using T = TypeParam;
+    using Limits = std::numeric_limits<T>;
+    for (const T size : {Limits::denorm_min(), Limits::min() / 2, Limits::min(), T(1), Limits::max() / 16}) {
+        const T bivector[6] = {4 * size, 0, 3 * size, 1, 2, 3};
+        const auto twist = this->split(bivector);
+        const long double axis[3] = {0.6L, 0, 0.8L};
+        EXPECT_EQ(twist.angle, 10 * size);
+        const long double along = 2 * (0.6L * 1 + 0.8L * 3), across[3] = {2 - 0.6L * along, 4, 6 - 0.8L * along};
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_NEAR(twist.axis[k], axis[k], 2 * epsilon<T>) << size;
+            EXPECT_NEAR(twist.along[k], along * axis[k], 16 * epsilon<T>) << size;
+            EXPECT_NEAR(twist.across[k], across[k], 16 * epsilon<T>) << size;
+        }
+    }
+}
+
 // Of the generator that the numbers of the twist are: the pose has the rounding to T, and that of the arithmetic in
 // double of angles up to λ times nine half turns.
 TYPED_TEST(TwistTest, the_pose_is_the_exponential)

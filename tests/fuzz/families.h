@@ -12,6 +12,7 @@ void add_interpolations(Functions &functions);
 void add_applications(Functions &functions);
 void add_poses(Functions &functions);
 void add_angles(Functions &functions);
+void add_singles(Functions &functions);
 
 inline Functions all_functions()
 {
@@ -22,6 +23,7 @@ inline Functions all_functions()
     add_interpolations(functions);
     add_poses(functions);
     add_angles(functions);
+    add_singles(functions);
     return functions;
 }
 
