@@ -62,9 +62,13 @@ TEST_F(MeshFiles, CoordinatesOfMapsKeepTheirDigits)
     pose(DATA + "utm_cube.obj", ".obj", {}, DATA + "rot.json");
     const Mesh cube = last_mesh(".obj");
     ASSERT_EQ(cube.vertex_count(), 8u);
-    EXPECT_NEAR(cube.positions[21], 388104.7832540378, 2e-9);
-    EXPECT_NEAR(cube.positions[22], 3949001.456, 2e-9);
-    EXPECT_NEAR(cube.positions[23], 20, 2e-9);
+    /* 30 degrees about the first corner: (10, 0) becomes (8.66, 5), and (10, 10) becomes (3.66, 13.66). */
+    const std::array<double, 2> fifth = {388104.7832540378, 3949001.456}, eighth = {388099.7832540378, 3949010.1162540378};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        EXPECT_NEAR(cube.positions[12 + axis], fifth[axis], 2e-9);
+        EXPECT_NEAR(cube.positions[21 + axis], eighth[axis], 2e-9);
+    }
+    EXPECT_EQ(cube.positions[23], 20);
 
     pose(DATA + "utm_double.ply", ".ply", {}, DATA + "id.json");
     const Mesh triangle = last_mesh(".ply");
@@ -153,7 +157,7 @@ TEST_F(MeshFiles, TriangleStripsAlternateTheirSense)
               "element vertex 5\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
               "8 0 1 2 2 3 4 4294967295 0 7\n3 4 3 2 8\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n",
               ".obj");
-    EXPECT_EQ(last_mesh(".obj").corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 3, 4, 4, 3, 2}))
+    EXPECT_EQ(last_mesh(".obj").corners, (std::vector<std::uint32_t>{0, 1, 2, 3, 2, 4, 4, 3, 2}))
         << "and a triangle without area only joins two others";
 }
 
@@ -311,8 +315,8 @@ TEST_F(MeshFiles, GlbFarFromTheOriginKeepsItsShape)
     EXPECT_EQ(gltf.model.scenes.at(0).nodes, std::vector<int>{1});
     const std::vector<float> q = gltf.channel("rotation").second, t = gltf.channel("translation").second;
     const Vector v = gltf_transform(&q[4], &t[3], {positions[21], positions[22], positions[23]});
-    EXPECT_NEAR(v[0] + place.translation.at(0), 388104.783254, 1e-5);
-    EXPECT_NEAR(v[1] + place.translation.at(1), 3949001.456, 1e-5);
+    EXPECT_NEAR(v[0] + place.translation.at(0), 388099.783254, 1e-5);
+    EXPECT_NEAR(v[1] + place.translation.at(1), 3949010.116254, 1e-5);
     EXPECT_FALSE(has(folder_.read("cube.svg"), "nan"));
 }
 

@@ -36,7 +36,7 @@ TEST(Obj, ReadsEveryFormOfACorner)
     EXPECT_EQ(mesh.face_starts, (std::vector<std::size_t>{0, 3, 6, 10}));
     EXPECT_EQ(mesh.normals, (Numbers{0, 0, 1}));
     EXPECT_EQ(mesh.corner_normals, Indices(10, NONE)) << "no corner has a normal";
-    EXPECT_EQ(mesh.corner_uvs, (Indices{NONE, NONE, NONE, 0, NONE, NONE, NONE, NONE, NONE, NONE}));
+    EXPECT_EQ(mesh.corner_uvs, (Indices{NONE, NONE, NONE, 0, 0, 0, NONE, NONE, NONE, NONE}));
     EXPECT_TRUE(mesh.in_double);
 }
 
