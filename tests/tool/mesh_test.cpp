@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -11,26 +9,21 @@
 #include "error.h"
 #include "files.h"
 #include "mesh.h"
+#include "normals.h"
 #include "obj.h"
 #include "ply.h"
 #include "simplify.h"
+#include "values.h"
 
 namespace motorway::tool {
 namespace {
 
-using Floats = std::vector<float>;
+using Numbers = std::vector<double>;
 using Indices = std::vector<std::uint32_t>;
 
-// Bytes of a value, as a PLY file of either order has them.
-template <class T> std::string bytes(T value, bool big_endian)
+Pose at_rest(const Mesh &mesh)
 {
-    std::string text(sizeof value, '\0');
-    std::memcpy(text.data(), &value, sizeof value);
-    const std::uint16_t probe = 1;
-    const bool machine_is_little = *reinterpret_cast<const unsigned char *>(&probe) == 1;
-    if (big_endian == machine_is_little)
-        std::reverse(text.begin(), text.end());
-    return text;
+    return {mesh.positions, mesh.normals, mesh.tangents, mesh.bitangents};
 }
 
 TEST(Obj, ReadsEveryFormOfACorner)
@@ -38,11 +31,13 @@ TEST(Obj, ReadsEveryFormOfACorner)
     const Mesh mesh = read_obj("# comment\nv 0 0 0\nv 1 0 0 # x\nv 1 1 0 1.0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
                                "f 1 2 3\nf 1/1 3/1 4/1\nf -4 -3 -2 -1\n",
                                "test");
-    EXPECT_EQ(mesh.positions, (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}));
+    EXPECT_EQ(mesh.positions, (Numbers{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}));
     EXPECT_EQ(mesh.corners, (Indices{0, 1, 2, 0, 2, 3, 0, 1, 2, 3}));
     EXPECT_EQ(mesh.face_starts, (std::vector<std::size_t>{0, 3, 6, 10}));
-    EXPECT_TRUE(mesh.normals.empty()) << "no corner has a normal";
-    EXPECT_TRUE(mesh.corner_normals.empty());
+    EXPECT_EQ(mesh.normals, (Numbers{0, 0, 1}));
+    EXPECT_EQ(mesh.corner_normals, Indices(10, NONE)) << "no corner has a normal";
+    EXPECT_EQ(mesh.corner_uvs, (Indices{NONE, NONE, NONE, 0, 0, 0, NONE, NONE, NONE, NONE}));
+    EXPECT_TRUE(mesh.in_double);
 }
 
 TEST(Obj, ReadsNormalsByCorner)
@@ -50,15 +45,16 @@ TEST(Obj, ReadsNormalsByCorner)
     const Mesh mesh = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nvn 1 0 0\n"
                                "f 1//2 2//1 3//-1\nf 1/1/1 2/1/1 3/1/2\n",
                                "test");
-    EXPECT_EQ(mesh.normals, (Floats{0, 0, 1, 1, 0, 0}));
+    EXPECT_EQ(mesh.normals, (Numbers{0, 0, 1, 1, 0, 0}));
     EXPECT_EQ(mesh.corner_normals, (Indices{1, 0, 1, 0, 0, 1}));
-    EXPECT_EQ(mesh.left_out, std::vector<std::string>{"texture coordinates"});
+    EXPECT_EQ(mesh.corner_uvs, (Indices{NONE, NONE, NONE, 0, 0, 0}));
+    EXPECT_TRUE(mesh.beyond.empty());
 }
 
 TEST(Obj, JoinsContinuedLinesAndTakesWindowsLineEnds)
 {
     const Mesh mesh = read_obj("v 0 0 0\r\nv 1 0 \\\r\n 0\r\nv 0 1 0\r\nf 1 2 \\\r\n3\r\n", "test");
-    EXPECT_EQ(mesh.positions, (Floats{0, 0, 0, 1, 0, 0, 0, 1, 0}));
+    EXPECT_EQ(mesh.positions, (Numbers{0, 0, 0, 1, 0, 0, 0, 1, 0}));
     EXPECT_EQ(mesh.corners, (Indices{0, 1, 2}));
 }
 
@@ -71,7 +67,7 @@ TEST(Obj, ReadsBackWhatItWrites)
 {
     Mesh mesh = read_obj("v 0.1 -2e-9 3\nv 16777217 0 0\nv 0 1 0.333333343\nv 1 1 1\nf 1 2 3\nf 1 2 4 3\n", "test");
     add_missing_normals(mesh);
-    const Mesh again = read_obj(write_obj(mesh, mesh.positions, mesh.normals), "test");
+    const Mesh again = read_obj(write_obj(mesh, at_rest(mesh)), "test");
     EXPECT_EQ(again.positions, mesh.positions);
     EXPECT_EQ(again.normals, mesh.normals);
     EXPECT_EQ(again.corners, mesh.corners);
@@ -84,9 +80,9 @@ TEST(Ply, ReadsAscii)
                                "property float y\nproperty float z\nelement face 1\n"
                                "property list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n0.1 1 0\n3 0 1 2",
                                "test");
-    EXPECT_EQ(mesh.positions, (Floats{0, 0, 0, 1, 0, 0, 0.1f, 1, 0}));
+    EXPECT_EQ(mesh.positions, (Numbers{0, 0, 0, 1, 0, 0, 0.1f, 1, 0}));
     EXPECT_EQ(mesh.corners, (Indices{0, 1, 2}));
-    EXPECT_TRUE(mesh.left_out.empty());
+    EXPECT_TRUE(mesh.beyond.empty());
 }
 
 TEST(Ply, ReadsPropertiesOfAnyOrderAndType)
@@ -100,11 +96,11 @@ TEST(Ply, ReadsPropertiesOfAnyOrderAndType)
                                "8 4 0 1 2 3 0\r\n3 0 2.5 1 -1 0 0\r\n3 2 9 9 1.5 1 2 0 0\r\n3 0 0 1 4 0 0\r\n"
                                "5 1 1 2 0 -7 1 0\r\n",
                                "test");
-    EXPECT_EQ(mesh.positions, (Floats{-1, 2.5f, 3, 2, 1.5f, 3, 4, 0, 3, -7, 2, 5}));
-    EXPECT_EQ(mesh.normals, (Floats{0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0}));
+    EXPECT_EQ(mesh.positions, (Numbers{-1, 2.5f, 3, 2, 1.5f, 3, 4, 0, 3, -7, 2, 5}));
+    EXPECT_EQ(mesh.normals, (Numbers{0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0}));
     EXPECT_EQ(mesh.corners, (Indices{0, 1, 2, 0, 1, 2, 3}));
     EXPECT_EQ(mesh.face_starts, (std::vector<std::size_t>{0, 3, 7}));
-    EXPECT_EQ(mesh.left_out, (std::vector<std::string>{"element \"camera\"", "element \"empty\"", "face \"red\"",
+    EXPECT_EQ(mesh.beyond, (std::vector<std::string>{"element \"camera\"", "element \"empty\"", "face \"red\"",
                                                        "face \"uv\"", "vertex \"tags\""}));
 }
 
@@ -129,7 +125,7 @@ TEST_P(PlyBinary, ReadsPropertiesOfAnyOrderAndType)
     file += bytes<std::uint16_t>(3, big) + bytes<std::int32_t>(2, big) + bytes<std::int32_t>(0, big) +
             bytes<std::int32_t>(1, big) + bytes<std::uint8_t>(1, big);
     const Mesh mesh = read_ply(file, "test");
-    EXPECT_EQ(mesh.positions, (Floats{0, 0, 0.25f, 0.1f, -300, 1.25f, 0.2f, -600, 2.25f}));
+    EXPECT_EQ(mesh.positions, (Numbers{0, 0, 0.25f, 0.1f, -300, 1.25f, 0.2f, -600, 2.25f}));
     EXPECT_EQ(mesh.corners, (Indices{2, 0, 1}));
     for (std::size_t size = 0; size < file.size(); ++size)
         EXPECT_THROW(read_ply(file.substr(0, size), "test"), Error) << "cut off after " << size << " bytes";
@@ -142,7 +138,7 @@ TEST(Ply, ReadsBackWhatItWrites)
 {
     Mesh mesh = read_obj("v 0.1 -2e-9 3\nv 16777217 0 0\nv 0 1 0.333333343\nv 1 1 1\nf 1 2 3\nf 1 2 4 3\n", "test");
     add_missing_normals(mesh);
-    const Mesh again = read_ply(write_ply(mesh, mesh.positions, mesh.normals), "test");
+    const Mesh again = read_ply(write_ply(mesh, at_rest(mesh)), "test");
     EXPECT_EQ(again.positions, mesh.positions);
     EXPECT_EQ(again.normals, mesh.normals);
     EXPECT_EQ(again.corners, mesh.corners);
@@ -155,12 +151,12 @@ TEST(Ply, WritesFacesOfManyCorners)
     for (std::uint32_t i = 0; i < 300; ++i) {
         const double angle = i * 2 * std::acos(-1.0) / 300;
         for (double coordinate : {std::cos(angle), std::sin(angle), 0.0})
-            mesh.positions.push_back(static_cast<float>(coordinate));
+            mesh.positions.push_back(coordinate);
         mesh.corners.push_back(i);
     }
     mesh.face_starts.push_back(300);
     add_missing_normals(mesh);
-    EXPECT_EQ(read_ply(write_ply(mesh, mesh.positions, mesh.normals), "test").corners, mesh.corners);
+    EXPECT_EQ(read_ply(write_ply(mesh, at_rest(mesh)), "test").corners, mesh.corners);
 }
 
 TEST(Bunny, HasTheCountsOfItsSource)
@@ -185,8 +181,8 @@ TEST(Normals, AreWeightedByArea)
     EXPECT_NEAR(mesh.normals[0], -1 / size, 1e-7);
     EXPECT_NEAR(mesh.normals[1], 0, 1e-7);
     EXPECT_NEAR(mesh.normals[2], 8 / size, 1e-7);
-    EXPECT_EQ((Floats{mesh.normals.begin() + 6, mesh.normals.begin() + 9}), (Floats{0, 0, 1}));
-    EXPECT_EQ((Floats{mesh.normals.begin() + 18, mesh.normals.end()}), (Floats{0, 0, 1}))
+    EXPECT_EQ((Numbers{mesh.normals.begin() + 6, mesh.normals.begin() + 9}), (Numbers{0, 0, 1}));
+    EXPECT_EQ((Numbers{mesh.normals.begin() + 18, mesh.normals.end()}), (Numbers{0, 0, 1}))
         << "of a vertex without faces";
 }
 
@@ -195,14 +191,14 @@ TEST(Normals, OfAConcavePolygonPointTheRightWay)
     Mesh mesh = read_obj("v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 2 3 4 1\nf 3 4 1 2\n", "test");
     add_missing_normals(mesh);
     for (std::size_t i = 0; i < 4; ++i)
-        EXPECT_EQ(mesh.normals[3 * i + 2], 1.0f) << "vertex " << i;
+        EXPECT_EQ(mesh.normals[3 * i + 2], 1) << "vertex " << i;
 }
 
 TEST(Normals, OfTheFileAreKept)
 {
     Mesh mesh = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 -1\nf 1//1 2//1 3//1\n", "test");
     add_missing_normals(mesh);
-    EXPECT_EQ(mesh.normals, (Floats{0, 0, -1}));
+    EXPECT_EQ(mesh.normals, (Numbers{0, 0, -1}));
 }
 
 TEST(Normals, ByVertexAreTheMeanOfThoseByCorner)
@@ -210,9 +206,11 @@ TEST(Normals, ByVertexAreTheMeanOfThoseByCorner)
     const Mesh mesh = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 1\nvn 1 0 0\nf 1//1 2//1 3//1\n"
                                "f 1//2 3//2 4//2\n",
                                "test");
-    const Floats normals = vertex_normals(mesh, mesh.normals);
-    const float half = static_cast<float>(std::sqrt(0.5));
-    EXPECT_EQ(normals, (Floats{half, 0, half, 0, 0, 1, half, 0, half, 1, 0, 0}));
+    const Numbers normals = vertex_normals(mesh, mesh.normals);
+    const double half = std::sqrt(0.5);
+    const Numbers expected = {half, 0, half, 0, 0, 1, half, 0, half, 1, 0, 0};
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_NEAR(normals.at(i), expected[i], 1e-15);
 }
 
 TEST(Edges, AreThereOnce)

@@ -41,8 +41,8 @@ Coefficients control(const std::string &json)
 /* Where a motion takes the origin, x y z, at each of the parameters. */
 std::vector<float> path_of_origin(const Motion &motion, const std::vector<double> &parameters)
 {
-    const float origin[3] = {0, 0, 0};
-    return trace(rounded(sample(motion, parameters, "test")), origin);
+    const std::vector<double> path = trace(sample(motion, parameters, "test"), {0, 0, 0});
+    return {path.begin(), path.end()};
 }
 
 TEST(MotionFile, Figure5HasTheCoefficientsThatThePaperPrints)

@@ -20,7 +20,7 @@ inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
 inline Vec3 unit(Vec3 a) { return length(a) > 0 ? (1 / length(a)) * a : Vec3{0, 0, 1}; }
 
 /* The vector i of an array x y z x y z ... */
-inline Vec3 vector_at(const std::vector<float> &xyz, std::size_t i)
+inline Vec3 vector_at(const std::vector<double> &xyz, std::size_t i)
 {
     return {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
 }

@@ -75,14 +75,23 @@ void print_distance(const mw_motion_distance_f64 &largest, double diagonal)
 }
 
 void print_place(const mw_motion_distance_f64 &largest, const Motion &first, const Motion &second,
-                 const std::vector<double> &points)
+                 const std::vector<double> &points, std::size_t vertex)
 {
     const double *const point = &points[3 * largest.point];
-    print_line("where", "vertex " + std::to_string(largest.point) + " (counting from 0)");
+    print_line("where", "vertex " + std::to_string(vertex) + " (counting from 0)");
     print_line("",
                "first: " + image(first, largest.parameters[0], point) + " at t = " + brief(largest.parameters[0], 6));
     print_line("", "second: " + image(second, largest.parameters[1], point) +
                        " at t = " + brief(largest.parameters[1], 6));
+}
+
+/* The number in the mesh of a vertex of its finite part. */
+std::size_t finite_vertex(const Mesh &mesh, std::size_t number)
+{
+    std::size_t vertex = 0;
+    for (;; ++vertex)
+        if (mesh.has_finite_position(vertex) && number-- == 0)
+            return vertex;
 }
 
 } // namespace
@@ -96,7 +105,7 @@ void run_compare(const CompareOptions &options)
     Mesh mesh = read_mesh(options.mesh);
     const Scaling scaling = choose_scale(options.scale, first, mesh);
     scale_mesh(mesh, scaling.factor, options.mesh);
-    const std::vector<double> points(mesh.positions.begin(), mesh.positions.end());
+    const std::vector<double> points = finite_part(mesh).positions;
     const auto sample_count = static_cast<std::size_t>(options.samples);
     const mw_motion_distance_f64 largest = largest_distance(first, second, points, sample_count);
 
@@ -107,7 +116,8 @@ void run_compare(const CompareOptions &options)
                               ", spread evenly over the parameter of each motion");
     print_distance(largest, bounding_box(mesh).diagonal());
     if (largest.distance > 0)
-        print_place(largest, first, second, points);
+        print_place(largest, first, second, points, finite_vertex(mesh, largest.point));
+    print_warnings(options.mesh, mesh);
 }
 
 } // namespace motorway::tool

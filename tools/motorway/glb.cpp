@@ -1,75 +1,57 @@
 #include "glb.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <sstream>
 
 #include <tiny_gltf.h>
 
 #include "error.h"
+#include "glb_vertices.h"
 #include "motion.h"
-#include "status.h"
 
 namespace motorway::tool {
 namespace {
 
-/* One vertex of the file: glTF has one normal a vertex, a Mesh may have one a corner. */
-struct Vertices {
-    std::vector<float> positions, normals;
-    std::vector<std::uint32_t> indices; /* three a triangle */
-};
-
-Vertices split_vertices(const Mesh &mesh)
-{
-    Vertices out;
-    std::vector<std::uint32_t> vertex_of_corner = mesh.corners;
-    if (mesh.corner_normals.empty()) {
-        out.positions = mesh.positions;
-        out.normals = unit_vectors({mesh.normals.begin(), mesh.normals.end()});
-    } else {
-        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
-        for (std::size_t corner = 0; corner < mesh.corners.size(); ++corner)
-            numbers[{mesh.corners[corner], mesh.corner_normals[corner]}] = 0;
-        std::uint32_t next = 0;
-        std::vector<double> normals;
-        for (auto &[pair, number] : numbers) {
-            number = next++;
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                out.positions.push_back(mesh.positions[3 * std::size_t{pair.first} + axis]);
-                normals.push_back(mesh.normals[3 * std::size_t{pair.second} + axis]);
-            }
-        }
-        out.normals = unit_vectors(normals);
-        for (std::size_t corner = 0; corner < mesh.corners.size(); ++corner)
-            vertex_of_corner[corner] = numbers[{mesh.corners[corner], mesh.corner_normals[corner]}];
-    }
-    for (const Triangle &triangle : triangles(mesh))
-        for (std::uint32_t corner : triangle)
-            out.indices.push_back(vertex_of_corner[corner]);
-    return out;
-}
-
 /* The rotations of the motors as glTF's quaternions x y z w. A motor's rotor is cos θ/2 + sin θ/2 (a3 e12 - a2 e13 +
  * a1 e23), because a e123 is that bivector: so x, y, z are b23, -b13, b12. q and -q are the same rotation; each is
  * given the sign that is nearer to the one before, so that viewers take the short way between them. */
-std::vector<float> quaternions(const std::vector<mw_motor_f32> &motors)
+std::vector<float> quaternions(const std::vector<mw_motor_f64> &motors)
 {
-    std::vector<mw_motor_f32> unit(motors.size());
-    check(mw_normalize_motor_each_f32(mw_motors_f32_aos(unit.data(), sizeof unit[0]),
-                                      mw_const_motors_f32_aos(motors.data(), sizeof motors[0]), motors.size()),
-          "normalising the motors");
     std::vector<float> out;
-    for (const mw_motor_f32 &motor : unit) {
-        float q[4] = {motor.b23, -motor.b13, motor.b12, motor.s};
-        float dot = 0;
-        for (std::size_t k = 0; k < 4 && !out.empty(); ++k)
-            dot += q[k] * out[out.size() - 4 + k];
-        for (float component : q)
-            out.push_back(dot < 0 ? -component : component);
+    std::array<double, 4> before = {};
+    for (const mw_motor_f64 &motor : motors) {
+        std::array<double, 4> q = {motor.b23, -motor.b13, motor.b12, motor.s};
+        double dot = 0;
+        for (std::size_t k = 0; k < 4; ++k)
+            dot += q[k] * before[k];
+        for (double &component : q) {
+            component = dot < 0 ? -component : component;
+            out.push_back(static_cast<float>(component));
+        }
+        before = q;
     }
     return out;
+}
+
+/* Where a motion brings the origin of the vertices, relative to that origin. */
+std::vector<float> translations(const std::vector<mw_motor_f64> &motors, const std::array<double, 3> &origin)
+{
+    const std::vector<double> path = trace(motors, origin);
+    std::vector<float> out(path.size());
+    for (std::size_t i = 0; i < path.size(); ++i)
+        out[i] = static_cast<float>(path[i] - origin[i % 3]);
+    return out;
+}
+
+/* What a float cannot hold. */
+void check_floats(const std::vector<float> &values, const std::string &path)
+{
+    for (float value : values)
+        if (!std::isfinite(value))
+            throw Error(path, "the mesh is too large for the floats of a .glb file; use smaller lengths");
 }
 
 /* Fills one buffer, a view and an accessor for each array. */
@@ -136,35 +118,54 @@ private:
     }
 };
 
-void add_mesh(Model &model, const Mesh &mesh)
+void add_material(Model &model, bool has_colours)
 {
-    const Vertices vertices = split_vertices(mesh);
-    tinygltf::Primitive primitive;
-    primitive.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive.material = 0;
-    primitive.attributes["POSITION"] =
-        model.add(vertices.positions, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER, true);
-    primitive.attributes["NORMAL"] =
-        model.add(vertices.normals, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER, false);
-    primitive.indices = model.add_indices(vertices.indices, vertices.positions.size() / 3);
-    tinygltf::Mesh out;
-    out.primitives.push_back(primitive);
-    model.gltf.meshes.push_back(out);
-
     tinygltf::Material material;
     material.pbrMetallicRoughness.baseColorFactor = {0.8, 0.76, 0.7, 1.0};
+    if (has_colours)
+        material.pbrMetallicRoughness.baseColorFactor = {1.0, 1.0, 1.0, 1.0};
     material.pbrMetallicRoughness.metallicFactor = 0.0;
     material.pbrMetallicRoughness.roughnessFactor = 0.6;
     model.gltf.materials.push_back(material);
 }
 
-void add_animation(Model &model, const std::vector<mw_motor_f32> &motors, double frames_per_second)
+/* Triangles, lines, or, of a cloud, the points: all of the same vertices. */
+void add_mesh(Model &model, const GlbVertices &vertices, bool has_alpha)
 {
-    const float origin[3] = {0, 0, 0};
+    tinygltf::Primitive primitive;
+    primitive.material = 0;
+    const auto add = [&](const char *name, const std::vector<float> &values, int type) {
+        if (!values.empty())
+            primitive.attributes[name] =
+                model.add(values, type, TINYGLTF_TARGET_ARRAY_BUFFER, name == std::string("POSITION"));
+    };
+    add("POSITION", vertices.positions, TINYGLTF_TYPE_VEC3);
+    add("NORMAL", vertices.normals, TINYGLTF_TYPE_VEC3);
+    add("TANGENT", vertices.tangents, TINYGLTF_TYPE_VEC4);
+    add("TEXCOORD_0", vertices.uvs, TINYGLTF_TYPE_VEC2);
+    add("COLOR_0", vertices.colours, has_alpha ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3);
+    tinygltf::Mesh mesh;
+    const auto add_primitive = [&](int mode, const std::vector<std::uint32_t> &indices) {
+        primitive.mode = mode;
+        primitive.indices = indices.empty() ? -1 : model.add_indices(indices, vertices.count());
+        mesh.primitives.push_back(primitive);
+    };
+    if (!vertices.triangles.empty())
+        add_primitive(TINYGLTF_MODE_TRIANGLES, vertices.triangles);
+    if (!vertices.lines.empty())
+        add_primitive(TINYGLTF_MODE_LINE, vertices.lines);
+    if (mesh.primitives.empty())
+        add_primitive(TINYGLTF_MODE_POINTS, {});
+    model.gltf.meshes.push_back(mesh);
+    add_material(model, !vertices.colours.empty());
+}
+
+void add_animation(Model &model, const std::vector<float> &rotations, const std::vector<float> &translations,
+                   double frames_per_second)
+{
     std::vector<float> times;
-    for (std::size_t frame = 0; frame < motors.size(); ++frame)
+    for (std::size_t frame = 0; frame < rotations.size() / 4; ++frame)
         times.push_back(static_cast<float>(static_cast<double>(frame) / frames_per_second));
-    const std::vector<float> rotations = quaternions(motors), translations = trace(motors, origin);
     const int time = model.add(times, TINYGLTF_TYPE_SCALAR, 0, true);
 
     tinygltf::Animation animation;
@@ -193,9 +194,17 @@ void add_animation(Model &model, const std::vector<mw_motor_f32> &motors, double
 
 } // namespace
 
-std::string write_glb(const Mesh &mesh, const std::vector<mw_motor_f32> &motors, double frames_per_second,
+std::string write_glb(const Mesh &mesh, const std::vector<mw_motor_f64> &motors, double frames_per_second,
                       const std::string &path)
 {
+    /* Vertices far away have no digits left for their shape when they are rounded to floats: they are stored near to
+     * zero, and a second node brings them to their place. */
+    const std::array<double, 3> origin = far_origin(mesh);
+    const GlbVertices vertices = glb_vertices(mesh, origin);
+    const std::vector<float> moved = translations(motors, origin);
+    check_floats(vertices.positions, path);
+    check_floats(moved, path);
+
     Model model;
     model.gltf.asset.version = "2.0";
     model.gltf.asset.generator = "motorway";
@@ -204,10 +213,17 @@ std::string write_glb(const Mesh &mesh, const std::vector<mw_motor_f32> &motors,
     model.gltf.nodes.push_back(node);
     tinygltf::Scene scene;
     scene.nodes.push_back(0);
+    if (origin != std::array<double, 3>{}) {
+        tinygltf::Node place;
+        place.translation.assign(origin.begin(), origin.end());
+        place.children.push_back(0);
+        model.gltf.nodes.push_back(place);
+        scene.nodes[0] = 1;
+    }
     model.gltf.scenes.push_back(scene);
     model.gltf.defaultScene = 0;
-    add_mesh(model, mesh);
-    add_animation(model, motors, frames_per_second);
+    add_mesh(model, vertices, mesh.has_alpha);
+    add_animation(model, quaternions(motors), moved, frames_per_second);
     if (model.gltf.buffers[0].data.size() > std::numeric_limits<std::int32_t>::max())
         throw Error(path, "a .glb file of this mesh would be larger than 2 GB; write .ply or .obj frames instead");
     std::ostringstream out;

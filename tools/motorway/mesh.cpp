@@ -7,12 +7,24 @@
 #include "files.h"
 #include "obj.h"
 #include "ply.h"
+#include "text.h"
 
 namespace motorway::tool {
 
-static double length(double x, double y, double z)
+bool Mesh::has_vertex_normals() const
 {
-    return std::sqrt(x * x + y * y + z * z);
+    return !normals.empty() && corner_normals.empty() && normals.size() == positions.size();
+}
+
+bool Mesh::has_vertex_uvs() const
+{
+    return !uvs.empty() && corner_uvs.empty() && uvs.size() / 2 == vertex_count();
+}
+
+bool Mesh::has_finite_position(std::size_t vertex) const
+{
+    const double *p = &positions[3 * vertex];
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
 double Box::longest_side() const
@@ -22,7 +34,21 @@ double Box::longest_side() const
 
 double Box::diagonal() const
 {
-    return length(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+    return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+/* Points that have no place are common in scans, where a sensor saw nothing. */
+static void warn_of_missing_points(Mesh &mesh, const std::string &path)
+{
+    std::uint64_t missing = 0;
+    for (std::size_t vertex = 0; vertex < mesh.vertex_count(); ++vertex)
+        missing += !mesh.has_finite_position(vertex);
+    if (missing == mesh.vertex_count())
+        throw Error(path, "has no vertex whose coordinates are finite numbers; give a mesh");
+    if (missing > 0)
+        mesh.warnings.push_back(counted(missing, "vertex") +
+                                " with coordinates that are not finite: kept in meshes, and left out of pictures, .glb "
+                                "files and measurements");
 }
 
 Mesh read_mesh(const std::string &path)
@@ -33,35 +59,52 @@ Mesh read_mesh(const std::string &path)
     const std::string contents = read_file(path);
     Mesh mesh = kind == ".obj" ? read_obj(contents, path) : read_ply(contents, path);
     if (mesh.vertex_count() == 0)
-        throw Error(path, "has no vertices; give a mesh");
-    if (mesh.face_count() == 0)
-        throw Error(path, "has no faces; give a mesh, not a cloud of points");
+        throw Error(path, "has no vertices; is this " + std::string(kind == ".obj" ? "an OBJ" : "a PLY") +
+                              " file of a mesh or a cloud of points?");
+    warn_of_missing_points(mesh, path);
     return mesh;
 }
 
 Box bounding_box(const Mesh &mesh)
 {
     Box box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        const double value = mesh.positions[i];
-        box.low[i % 3] = std::min(box.low[i % 3], value);
-        box.high[i % 3] = std::max(box.high[i % 3], value);
-    }
+    for (std::size_t vertex = 0; vertex < mesh.vertex_count(); ++vertex)
+        for (std::size_t axis = 0; axis < 3 && mesh.has_finite_position(vertex); ++axis) {
+            const double value = mesh.positions[3 * vertex + axis];
+            box.low[axis] = std::min(box.low[axis], value);
+            box.high[axis] = std::max(box.high[axis], value);
+        }
     return box;
+}
+
+std::array<double, 3> far_origin(const Mesh &mesh)
+{
+    constexpr double FAR = 100;
+    const Box box = bounding_box(mesh);
+    std::array<double, 3> middle;
+    double offset = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        middle[axis] = std::round(box.low[axis] / 2 + box.high[axis] / 2);
+        offset = std::max(offset, std::abs(middle[axis]));
+    }
+    return box.diagonal() > 0 && offset > FAR * box.diagonal() ? middle : std::array<double, 3>{};
 }
 
 std::vector<Edge> edges(const Mesh &mesh)
 {
     std::vector<Edge> all;
-    all.reserve(mesh.corners.size());
+    all.reserve(mesh.corners.size() + mesh.lines.size());
+    const auto add = [&](std::uint32_t a, std::uint32_t b) {
+        if (a != b)
+            all.push_back(std::minmax(a, b));
+    };
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
         const std::size_t begin = mesh.face_starts[face], end = mesh.face_starts[face + 1];
-        for (std::size_t corner = begin; corner < end; ++corner) {
-            const std::uint32_t a = mesh.corners[corner], b = mesh.corners[corner + 1 < end ? corner + 1 : begin];
-            if (a != b)
-                all.push_back(std::minmax(a, b));
-        }
+        for (std::size_t corner = begin; corner < end; ++corner)
+            add(mesh.corners[corner], mesh.corners[corner + 1 < end ? corner + 1 : begin]);
     }
+    for (const Edge &line : mesh.lines)
+        add(line.first, line.second);
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;
@@ -80,64 +123,69 @@ std::vector<Triangle> triangles(const Mesh &mesh)
     return fans;
 }
 
-std::vector<float> unit_vectors(const std::vector<double> &vectors)
+/* Those of `from` that belong to these vertices, `width` numbers each. */
+template <class T>
+static std::vector<T> chosen(const std::vector<T> &from, std::size_t width, const std::vector<std::uint32_t> &vertices)
 {
-    std::vector<float> units(vectors.size());
-    for (std::size_t i = 0; i < vectors.size(); i += 3) {
-        const double size = length(vectors[i], vectors[i + 1], vectors[i + 2]);
-        const bool some = size > 0 && std::isfinite(size);
-        units[i] = some ? static_cast<float>(vectors[i] / size) : 0.0f;
-        units[i + 1] = some ? static_cast<float>(vectors[i + 1] / size) : 0.0f;
-        units[i + 2] = some ? static_cast<float>(vectors[i + 2] / size) : 1.0f;
-    }
-    return units;
+    std::vector<T> out;
+    if (from.empty())
+        return out;
+    out.reserve(width * vertices.size());
+    for (std::size_t vertex : vertices)
+        out.insert(out.end(), from.begin() + static_cast<std::ptrdiff_t>(width * vertex),
+                   from.begin() + static_cast<std::ptrdiff_t>(width * (vertex + 1)));
+    return out;
 }
 
-/* Twice the vector area of a face, right for every plane polygon, convex or not. */
-static std::array<double, 3> vector_area(const Mesh &mesh, std::size_t begin, std::size_t end)
+/* The faces of `from` whose vertices all have a number among `numbers`. */
+static void copy_numbered_faces(Mesh &to, const Mesh &from, const std::vector<std::uint32_t> &numbers)
 {
-    std::array<double, 3> area{};
-    const float *first = &mesh.positions[3 * std::size_t{mesh.corners[begin]}];
-    for (std::size_t corner = begin + 2; corner < end; ++corner) {
-        const float *p = &mesh.positions[3 * std::size_t{mesh.corners[corner - 1]}];
-        const float *q = &mesh.positions[3 * std::size_t{mesh.corners[corner]}];
-        double u[3], v[3];
-        for (int k = 0; k < 3; ++k) {
-            u[k] = static_cast<double>(p[k]) - first[k];
-            v[k] = static_cast<double>(q[k]) - first[k];
-        }
-        area[0] += u[1] * v[2] - u[2] * v[1];
-        area[1] += u[2] * v[0] - u[0] * v[2];
-        area[2] += u[0] * v[1] - u[1] * v[0];
-    }
-    return area;
-}
-
-void add_missing_normals(Mesh &mesh)
-{
-    if (!mesh.normals.empty())
-        return;
-    std::vector<double> sums(mesh.positions.size(), 0.0);
-    for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-        const std::size_t begin = mesh.face_starts[face], end = mesh.face_starts[face + 1];
-        const std::array<double, 3> area = vector_area(mesh, begin, end);
+    for (std::size_t face = 0; face < from.face_count(); ++face) {
+        const std::size_t begin = from.face_starts[face], end = from.face_starts[face + 1];
+        bool whole = true;
         for (std::size_t corner = begin; corner < end; ++corner)
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                sums[3 * std::size_t{mesh.corners[corner]} + axis] += area[axis];
+            whole = whole && numbers[from.corners[corner]] != NONE;
+        for (std::size_t corner = begin; whole && corner < end; ++corner) {
+            to.corners.push_back(numbers[from.corners[corner]]);
+            if (!from.corner_normals.empty())
+                to.corner_normals.push_back(from.corner_normals[corner]);
+            if (!from.corner_uvs.empty())
+                to.corner_uvs.push_back(from.corner_uvs[corner]);
+        }
+        if (whole)
+            to.face_starts.push_back(to.corners.size());
     }
-    mesh.normals = unit_vectors(sums);
+    if (to.corner_normals.empty() && !from.corner_normals.empty())
+        to.normals.clear();
+    if (to.corner_uvs.empty() && !from.corner_uvs.empty())
+        to.uvs.clear();
 }
 
-std::vector<float> vertex_normals(const Mesh &mesh, const std::vector<float> &normals)
+Mesh finite_part(const Mesh &mesh)
 {
-    if (mesh.corner_normals.empty())
-        return normals;
-    std::vector<double> sums(mesh.positions.size(), 0.0);
-    for (std::size_t corner = 0; corner < mesh.corners.size(); ++corner)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            sums[3 * std::size_t{mesh.corners[corner]} + axis] +=
-                normals[3 * std::size_t{mesh.corner_normals[corner]} + axis];
-    return unit_vectors(sums);
+    std::vector<std::uint32_t> numbers(mesh.vertex_count(), NONE), vertices;
+    for (std::size_t vertex = 0; vertex < mesh.vertex_count(); ++vertex)
+        if (mesh.has_finite_position(vertex)) {
+            numbers[vertex] = static_cast<std::uint32_t>(vertices.size());
+            vertices.push_back(static_cast<std::uint32_t>(vertex));
+        }
+    if (vertices.size() == mesh.vertex_count())
+        return mesh;
+    Mesh part;
+    part.in_double = mesh.in_double;
+    part.has_alpha = mesh.has_alpha;
+    part.positions = chosen(mesh.positions, 3, vertices);
+    part.tangents = chosen(mesh.tangents, 3, vertices);
+    part.bitangents = chosen(mesh.bitangents, 3, vertices);
+    part.tangent_signs = chosen(mesh.tangent_signs, 1, vertices);
+    part.colours = chosen(mesh.colours, 4, vertices);
+    part.normals = mesh.has_vertex_normals() ? chosen(mesh.normals, 3, vertices) : mesh.normals;
+    part.uvs = mesh.has_vertex_uvs() ? chosen(mesh.uvs, 2, vertices) : mesh.uvs;
+    copy_numbered_faces(part, mesh, numbers);
+    for (const Edge &line : mesh.lines)
+        if (numbers[line.first] != NONE && numbers[line.second] != NONE)
+            part.lines.emplace_back(numbers[line.first], numbers[line.second]);
+    return part;
 }
 
 } // namespace motorway::tool

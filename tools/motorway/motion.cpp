@@ -1,7 +1,6 @@
 #include "motion.h"
 
 #include <algorithm>
-#include <array>
 
 #include "error.h"
 #include "status.h"
@@ -93,26 +92,15 @@ void normalize(std::vector<mw_motor_f64> &motors)
           "normalised motors");
 }
 
-std::vector<mw_motor_f32> rounded(const std::vector<mw_motor_f64> &motors)
+std::vector<double> trace(const std::vector<mw_motor_f64> &motors, const std::array<double, 3> &point)
 {
-    std::vector<mw_motor_f32> floats(motors.size());
-    const auto narrow = [](double component) { return static_cast<float>(component); };
-    std::transform(motors.begin(), motors.end(), floats.begin(), [&](const mw_motor_f64 &m) {
-        return mw_motor_f32{narrow(m.s),   narrow(m.b12), narrow(m.b13), narrow(m.b23),
-                            narrow(m.b1i), narrow(m.b2i), narrow(m.b3i), narrow(m.w)};
-    });
-    return floats;
-}
-
-std::vector<float> trace(const std::vector<mw_motor_f32> &motors, const float point[3])
-{
-    std::vector<float> path(3 * motors.size());
+    std::vector<double> path(3 * motors.size());
     for (std::size_t i = 0; i < path.size(); ++i)
         path[i] = point[i % 3];
-    constexpr std::size_t STRIDE = 3 * sizeof(float);
-    check(mw_apply_point_each_f32(mw_xyz_f32_aos(path.data(), STRIDE),
-                                  mw_const_motors_f32_aos(motors.data(), sizeof motors[0]),
-                                  mw_const_xyz_f32_aos(path.data(), STRIDE), motors.size(), MW_DEFAULT),
+    constexpr std::size_t STRIDE = 3 * sizeof(double);
+    check(mw_apply_point_each_f64(mw_xyz_f64_aos(path.data(), STRIDE),
+                                  mw_const_motors_f64_aos(motors.data(), sizeof motors[0]),
+                                  mw_const_xyz_f64_aos(path.data(), STRIDE), motors.size(), MW_DEFAULT),
           "the path of a point");
     return path;
 }

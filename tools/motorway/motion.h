@@ -2,6 +2,7 @@
 #ifndef MOTORWAY_TOOL_MOTION_H
 #define MOTORWAY_TOOL_MOTION_H
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -49,11 +50,8 @@ std::vector<mw_motor_f64> sample(const Motion &motion, const std::vector<double>
 
 void normalize(std::vector<mw_motor_f64> &motors);
 
-/* Motors for meshes, whose coordinates are floats. */
-std::vector<mw_motor_f32> rounded(const std::vector<mw_motor_f64> &motors);
-
-/* The paths of the points F_S(p) for each of the motors, as x y z. */
-std::vector<float> trace(const std::vector<mw_motor_f32> &motors, const float point[3]);
+/* The paths of a point under each of the motors, as x y z. */
+std::vector<double> trace(const std::vector<mw_motor_f64> &motors, const std::array<double, 3> &point);
 
 } // namespace motorway::tool
 

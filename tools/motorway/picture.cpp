@@ -4,12 +4,10 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <set>
 
 #include "camera.h"
 #include "colour.h"
-#include "pose.h"
-#include "simplify.h"
+#include "picture_scene.h"
 #include "summary.h"
 #include "svg.h"
 #include "text.h"
@@ -20,167 +18,12 @@ namespace {
 constexpr double WIDTH = 1600, HEIGHT = 940;
 constexpr Rectangle FRAME = {120, 130, WIDTH - 120, HEIGHT - 150};
 constexpr double ELEVATION = 18;
-constexpr std::size_t PATH_STEPS = 240;
-constexpr float ORIGIN[3] = {0, 0, 0};
 
 /* Something that hides what is farther away. */
 struct Shape {
     double distance; /* from the eye */
     std::string style, path;
 };
-
-struct Box3 {
-    Vec3 low, high;
-
-    Vec3 middle() const { return 0.5 * (low + high); }
-    double longest_side() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1e-30}); }
-};
-
-/* The mesh at one parameter. */
-struct Figure {
-    double share; /* of the way along the motion, 0 to 1 */
-    Pose pose;
-    Box3 box;
-};
-
-/* What there is to see, in space. */
-struct Scene {
-    std::vector<Figure> figures;
-    std::vector<float> path;                         /* of the origin, PATH_STEPS + 1 points */
-    std::vector<std::array<Vec3, 4>> control_frames; /* the origin of each, and the tips of its axes */
-    std::vector<Triangle> triangles;                 /* of vertices */
-    bool closed;                                     /* nobody sees the inside of a closed mesh */
-    bool simplified;                                 /* the mesh has more details than are drawn */
-    Box3 box;
-};
-
-bool is_closed(const Mesh &mesh)
-{
-    std::set<Edge> open;
-    for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-        const std::size_t begin = mesh.face_starts[face], end = mesh.face_starts[face + 1];
-        for (std::size_t corner = begin; corner < end; ++corner) {
-            const std::uint32_t a = mesh.corners[corner], b = mesh.corners[corner + 1 < end ? corner + 1 : begin];
-            if (open.erase({b, a}) == 0 && !open.insert({a, b}).second)
-                return false;
-        }
-    }
-    return open.empty();
-}
-
-Box3 box_of(const std::vector<Vec3> &points)
-{
-    Box3 box = {points.front(), points.front()};
-    for (Vec3 p : points) {
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-    }
-    return box;
-}
-
-/* How far the mesh has travelled up to each of many motors: the mean over the corners of its bounding box, so that
- * turning on the spot counts as well. */
-std::vector<double> travelled(const Mesh &mesh, const std::vector<mw_motor_f32> &motors)
-{
-    const Box box = bounding_box(mesh);
-    std::vector<double> distances(motors.size(), 0.0);
-    for (int corner = 0; corner < 8; ++corner) {
-        float point[3];
-        for (int axis = 0; axis < 3; ++axis)
-            point[axis] = static_cast<float>(corner >> axis & 1 ? box.high[axis] : box.low[axis]);
-        const std::vector<float> path = trace(motors, point);
-        double distance = 0;
-        for (std::size_t i = 1; i < motors.size(); ++i) {
-            distance += length(vector_at(path, i) - vector_at(path, i - 1)) / 8;
-            distances[i] += distance;
-        }
-    }
-    return distances;
-}
-
-/* `count` parameters, both ends included, between which the mesh travels about equally far: a motion that dawdles
- * would otherwise pile its figures up. */
-std::vector<double> evenly_travelled_parameters(const Mesh &mesh, const Motion &motion, std::size_t count,
-                                                const std::string &path)
-{
-    const std::vector<double> fine = even_parameters(motion, 1000);
-    const std::vector<double> distances = travelled(mesh, rounded(sample(motion, fine, path)));
-    std::vector<double> parameters = even_parameters(motion, count);
-    for (std::size_t i = 1; i + 1 < count; ++i) {
-        const double wanted = distances.back() * static_cast<double>(i) / static_cast<double>(count - 1);
-        const auto reached = std::lower_bound(distances.begin(), distances.end(), wanted);
-        parameters[i] = fine[static_cast<std::size_t>(reached - distances.begin())];
-    }
-    return parameters;
-}
-
-std::vector<Figure> pose_figures(const Mesh &mesh, const Motion &motion, std::size_t count, const std::string &path)
-{
-    const std::vector<double> parameters = evenly_travelled_parameters(mesh, motion, count, path);
-    const std::vector<mw_motor_f32> motors = rounded(sample(motion, parameters, path));
-    std::vector<Figure> figures(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        figures[i].share = (parameters[i] - motion.start()) / (motion.end() - motion.start());
-        pose_mesh(figures[i].pose, mesh, motors[i]);
-        check_finite(figures[i].pose, path);
-        figures[i].pose.normals = vertex_normals(mesh, figures[i].pose.normals);
-        std::vector<Vec3> points;
-        for (std::size_t k = 0; k < mesh.vertex_count(); ++k)
-            points.push_back(vector_at(figures[i].pose.positions, k));
-        figures[i].box = box_of(points);
-    }
-    return figures;
-}
-
-/* Points that hold the whole scene between them: the corners of each figure's box, the path, the control poses. */
-std::vector<Vec3> outermost_points(const Scene &scene)
-{
-    std::vector<Vec3> points;
-    for (const Figure &figure : scene.figures)
-        for (int corner = 0; corner < 8; ++corner)
-            points.push_back({corner & 1 ? figure.box.high.x : figure.box.low.x,
-                              corner & 2 ? figure.box.high.y : figure.box.low.y,
-                              corner & 4 ? figure.box.high.z : figure.box.low.z});
-    for (std::size_t i = 0; i <= PATH_STEPS; ++i)
-        points.push_back(vector_at(scene.path, i));
-    for (const auto &frame : scene.control_frames)
-        points.insert(points.end(), frame.begin(), frame.end());
-    return points;
-}
-
-/* The control poses as frames with axes of this length. */
-std::vector<std::array<Vec3, 4>> control_frames(const Motion &motion, double length)
-{
-    const float size = static_cast<float>(length);
-    const float tips[4][3] = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}};
-    const std::vector<mw_motor_f32> controls = rounded(motion.controls);
-    std::vector<std::array<Vec3, 4>> frames(controls.size());
-    for (std::size_t k = 0; k < 4; ++k) {
-        const std::vector<float> path = trace(controls, tips[k]);
-        for (std::size_t i = 0; i < frames.size(); ++i)
-            frames[i][k] = vector_at(path, i);
-    }
-    return frames;
-}
-
-Scene make_scene(const Mesh &whole, const Motion &motion, std::size_t pose_count, const std::string &path)
-{
-    constexpr std::size_t MOST_DRAWN = 35000; /* of all figures together: keeps the file below 2 MB */
-    Scene scene;
-    scene.closed = is_closed(whole); /* then only about half of the triangles face the eye */
-    const Mesh mesh = simplified(whole, (scene.closed ? 2 : 1) * MOST_DRAWN / pose_count);
-    scene.figures = pose_figures(mesh, motion, pose_count, path);
-    scene.path = trace(rounded(sample(motion, even_parameters(motion, PATH_STEPS + 1), path)), ORIGIN);
-    scene.simplified = mesh.face_count() < whole.face_count();
-    scene.triangles = triangles(mesh);
-    for (Triangle &triangle : scene.triangles)
-        for (std::uint32_t &corner : triangle)
-            corner = mesh.corners[corner];
-    scene.control_frames = control_frames(motion, 0);
-    scene.control_frames = control_frames(motion, 0.055 * box_of(outermost_points(scene)).longest_side());
-    scene.box = box_of(outermost_points(scene));
-    return scene;
-}
 
 /* How much the figures get in each other's way: pairs count by the inverse square of their distance on paper. */
 double crowding(const Scene &scene, const Camera &camera)
@@ -236,12 +79,13 @@ void draw_ground(Svg &svg, const Scene &scene, const Camera &camera)
             "\" height=\"" + svg_number(HEIGHT) + "\"><rect width=\"" + svg_number(WIDTH) + "\" height=\"" +
             svg_number(HEIGHT) + "\" fill=\"url(#fade)\"/></mask>\n<g mask=\"url(#near)\">");
     const std::string style = "stroke:#b9c1d0;stroke-width:1;fill:none";
-    for (double i = left; i <= right; ++i)
-        svg.line(camera.project({i * step, b.low.y, back * step}), camera.project({i * step, b.low.y, front * step}),
-                 style);
-    for (double i = back; i <= front; ++i)
-        svg.line(camera.project({left * step, b.low.y, i * step}), camera.project({right * step, b.low.y, i * step}),
-                 style);
+    const auto lines = [](double first, double last) { return std::min(last - first, 100.0); };
+    for (double i = 0; i <= lines(left, right); ++i)
+        svg.line(camera.project({(left + i) * step, b.low.y, back * step}),
+                 camera.project({(left + i) * step, b.low.y, front * step}), style);
+    for (double i = 0; i <= lines(back, front); ++i)
+        svg.line(camera.project({left * step, b.low.y, (back + i) * step}),
+                 camera.project({right * step, b.low.y, (back + i) * step}), style);
     svg.add("</g>");
 }
 
@@ -334,6 +178,24 @@ void add_figure(std::vector<Shape> &shapes, Svg &svg, const Scene &scene, const 
         /* The stroke closes the hairlines that antialiasing leaves between neighbours. */
         const std::string style = svg.style("fill:" + colour + ";stroke:" + colour);
         shapes.push_back({camera.distance(middle), style, svg_tenths(outline, true)});
+    }
+}
+
+/* The points of a cloud, and the lines of a mesh. */
+void add_points_and_lines(std::vector<Shape> &shapes, Svg &svg, const Scene &scene, const Figure &figure,
+                          const Camera &camera)
+{
+    const std::string ink = "fill:none;stroke-linecap:round;stroke:" + hex(gradient(figure.share));
+    const std::string dot = svg.style(ink + ";stroke-width:24"), stroke = svg.style(ink + ";stroke-width:14");
+    for (std::uint32_t vertex : scene.points) {
+        const Vec3 p = vector_at(figure.pose.positions, vertex);
+        const Point2 at = camera.project(p);
+        shapes.push_back({camera.distance(p), dot, svg_tenths({at, at}, false)});
+    }
+    for (const Edge &line : scene.lines) {
+        const Vec3 a = vector_at(figure.pose.positions, line.first), b = vector_at(figure.pose.positions, line.second);
+        shapes.push_back({camera.distance(0.5 * (a + b)), stroke,
+                          svg_tenths({camera.project(a), camera.project(b)}, false)});
     }
 }
 
@@ -457,8 +319,10 @@ std::string draw_picture(const Mesh &mesh, const Motion &motion, std::size_t pos
     draw_ground(svg, scene, camera);
     draw_shadows(svg, scene, camera);
     std::vector<Shape> shapes;
-    for (const Figure &figure : scene.figures)
+    for (const Figure &figure : scene.figures) {
         add_figure(shapes, svg, scene, figure, camera);
+        add_points_and_lines(shapes, svg, scene, figure, camera);
+    }
     add_path(shapes, svg, scene, camera);
     add_control_polygon(shapes, svg, scene, camera);
     draw_shapes(svg, shapes);

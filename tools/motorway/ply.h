@@ -1,9 +1,9 @@
-/* Stanford PLY: ascii, binary little-endian and binary big-endian, with any elements and properties besides. */
+/* Stanford PLY: ascii, binary little-endian and binary big-endian. What a Mesh holds is read, and all other elements
+ * and properties kept for writing the file again. */
 #ifndef MOTORWAY_TOOL_PLY_H
 #define MOTORWAY_TOOL_PLY_H
 
 #include <string>
-#include <vector>
 
 #include "mesh.h"
 
@@ -13,8 +13,8 @@ namespace motorway::tool {
  * file with the element. */
 Mesh read_ply(const std::string &contents, const std::string &path);
 
-/* The mesh in a pose, binary little-endian: its faces, with these positions and normals instead of its own. */
-std::string write_ply(const Mesh &mesh, const std::vector<float> &positions, const std::vector<float> &normals);
+/* A mesh from a file of another kind, in a pose: binary little-endian. */
+std::string write_ply(const Mesh &mesh, const Pose &pose);
 
 } // namespace motorway::tool
 

@@ -18,13 +18,25 @@ constexpr TypeName TYPE_NAMES[] = {
     {"uint8", PlyType::uint8},     {"short", PlyType::int16},     {"int16", PlyType::int16},
     {"ushort", PlyType::uint16},   {"uint16", PlyType::uint16},   {"int", PlyType::int32},
     {"int32", PlyType::int32},     {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
-    {"float", PlyType::float32},   {"float32", PlyType::float32}, {"double", PlyType::float64},
-    {"float64", PlyType::float64},
+    {"int64", PlyType::int64},     {"uint64", PlyType::uint64},   {"float", PlyType::float32},
+    {"float32", PlyType::float32}, {"double", PlyType::float64},  {"float64", PlyType::float64},
 };
+
+constexpr std::string_view BLANKS = " \t\r\v\f";
+
+/* The first word of a line. */
+std::string_view first_word(std::string_view line)
+{
+    const std::size_t begin = std::min(line.find_first_not_of(BLANKS), line.size());
+    return line.substr(begin, line.find_first_of(BLANKS, begin) - begin);
+}
 
 class HeaderReader {
 public:
-    HeaderReader(const std::string &contents, const std::string &path) : text_(contents), path_(path) {}
+    HeaderReader(const std::string &text, std::uint64_t body_size, const std::string &path)
+        : text_(text), body_size_(body_size), path_(path)
+    {
+    }
 
     PlyHeader read()
     {
@@ -49,7 +61,7 @@ public:
         }
         if (!format_known)
             throw error("the header has no \"format\" line; add one");
-        header_.body = position_;
+        header_.body = text_.size();
         header_.body_line = line_ + 1;
         check_room();
         return std::move(header_);
@@ -65,17 +77,16 @@ private:
     bool next_line()
     {
         words_.clear();
-        const std::size_t end = text_.find('\n', position_);
-        if (end == std::string_view::npos)
+        if (position_ == text_.size())
             return false;
+        const std::size_t end = std::min(text_.find('\n', position_), text_.size());
         const std::string_view line = text_.substr(position_, end - position_);
-        position_ = end + 1;
+        position_ = std::min(end + 1, text_.size());
         ++line_;
-        std::size_t begin = line.find_first_not_of(" \t\r");
-        while (begin != std::string_view::npos) {
-            const std::size_t stop = std::min(line.find_first_of(" \t\r", begin), line.size());
-            words_.push_back(line.substr(begin, stop - begin));
-            begin = line.find_first_not_of(" \t\r", stop);
+        for (std::string_view word = first_word(line); !word.empty();) {
+            words_.push_back(word);
+            const auto behind = static_cast<std::size_t>(word.data() + word.size() - line.data());
+            word = first_word(line.substr(behind));
         }
         return true;
     }
@@ -109,19 +120,23 @@ private:
     {
         if (header_.elements.empty())
             throw error("a property before any element; correct the header");
-        PlyProperty property;
+        PlyProperty property = {};
+        std::string_view type_word;
         if (words_.size() == 5 && words_[1] == "list") {
             property.is_list = true;
             property.count_type = type(words_[2]);
-            property.type = type(words_[3]);
+            type_word = words_[3];
             if (!ply_is_integer(property.count_type))
                 throw error("the length of a list is a whole number, not " + in_quotes(words_[2]) +
                             "; correct the type");
         } else if (words_.size() == 3) {
-            property.type = type(words_[1]);
+            type_word = words_[1];
         } else {
             throw error("a property is a type and a name, or \"list\", two types and a name; correct the header");
         }
+        property.type = type(type_word);
+        property.type_at = static_cast<std::size_t>(type_word.data() - text_.data());
+        property.type_size = type_word.size();
         property.name = std::string(words_.back());
         std::vector<PlyProperty> &properties = header_.elements.back().properties;
         for (const PlyProperty &other : properties)
@@ -142,7 +157,6 @@ private:
     /* A count that the rest of the file cannot hold is an error here, before anything is allocated for it. */
     void check_room() const
     {
-        const std::uint64_t room = text_.size() - header_.body;
         for (const PlyElement &element : header_.elements) {
             std::uint64_t smallest = 0;
             for (const PlyProperty &property : element.properties)
@@ -150,14 +164,15 @@ private:
                                 ? 2
                                 : ply_size(property.is_list ? property.count_type : property.type);
             /* The last word of an ascii file needs no blank behind it. */
-            if (smallest > 0 && element.count > (room + 1) / smallest)
+            if (smallest > 0 && element.count > (body_size_ + 1) / smallest)
                 throw error_at(element.line, std::to_string(element.count) + " times " + in_quotes(element.name) +
-                                                 " cannot be in the " + std::to_string(room) +
+                                                 " cannot be in the " + std::to_string(body_size_) +
                                                  " bytes that follow; is the file truncated?");
         }
     }
 
     std::string_view text_;
+    std::uint64_t body_size_;
     std::string path_;
     std::size_t position_ = 0, line_ = 0;
     std::vector<std::string_view> words_;
@@ -179,6 +194,8 @@ std::size_t ply_size(PlyType type)
     case PlyType::uint32:
     case PlyType::float32:
         return 4;
+    case PlyType::int64:
+    case PlyType::uint64:
     case PlyType::float64:
         break;
     }
@@ -190,9 +207,26 @@ bool ply_is_integer(PlyType type)
     return type != PlyType::float32 && type != PlyType::float64;
 }
 
-PlyHeader read_ply_header(const std::string &contents, const std::string &path)
+std::size_t ply_header_size(std::string_view contents)
 {
-    return HeaderReader(contents, path).read();
+    const std::size_t first = contents.find_first_of("\r\n");
+    if (first == std::string_view::npos)
+        return contents.size();
+    const bool ends_with_cr = contents[first] == '\r' && contents.substr(first, 2) != "\r\n";
+    for (std::size_t begin = 0; begin < contents.size();) {
+        const std::size_t end = contents.find(ends_with_cr ? '\r' : '\n', begin);
+        if (end == std::string_view::npos)
+            break;
+        if (first_word(contents.substr(begin, end - begin)) == "end_header")
+            return end + 1;
+        begin = end + 1;
+    }
+    return contents.size();
+}
+
+PlyHeader read_ply_header(const std::string &text, std::uint64_t body_size, const std::string &path)
+{
+    return HeaderReader(text, body_size, path).read();
 }
 
 } // namespace motorway::tool

@@ -16,8 +16,9 @@ std::string at_row(const std::string &name, std::uint64_t row)
 
 class AsciiValues : public PlyValues {
 public:
-    AsciiValues(const PlyHeader &header, const std::string &contents, const std::string &path)
-        : text_(contents), path_(path), position_(header.body), next_line_(header.body_line), line_(header.body_line)
+    AsciiValues(const PlyHeader &header, const std::string &text, std::size_t position, const std::string &path)
+        : text_(text), path_(path), begin_(position), position_(position), next_line_(header.body_line),
+          line_(header.body_line)
     {
     }
 
@@ -29,8 +30,19 @@ public:
         const auto value = single ? std::optional<double>(*single) : parse_double(word);
         if (!value)
             throw error(name, row, in_quotes(word) + " is not a number; correct it");
+        if (overflowed(word, *value))
+            throw error(name, row, in_quotes(word) + " is too large for its type; correct it");
         return *value;
     }
+
+    void skip(PlyType, std::uint64_t count, const std::string &name, std::uint64_t row) override
+    {
+        for (std::uint64_t k = 0; k < count; ++k)
+            next(name, row);
+    }
+
+    std::size_t begin() const override { return begin_; }
+    std::size_t end() const override { return position_; }
 
     std::int64_t integer(PlyType, const std::string &name, std::uint64_t row) override
     {
@@ -65,30 +77,33 @@ private:
         while (position_ < text_.size() && is_blank(text_[position_]))
             next_line_ += text_[position_++] == '\n';
         line_ = next_line_;
-        const std::size_t begin = position_;
+        begin_ = position_;
         while (position_ < text_.size() && !is_blank(text_[position_]))
             ++position_;
-        if (begin == position_)
+        if (begin_ == position_)
             throw truncated(name, row);
-        return text_.substr(begin, position_ - begin);
+        return text_.substr(begin_, position_ - begin_);
     }
 
     static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
     std::string_view text_;
     std::string path_;
-    std::size_t position_, next_line_, line_;
+    std::size_t begin_, position_, next_line_, line_;
 };
 
 class BinaryValues : public PlyValues {
 public:
-    BinaryValues(const PlyHeader &header, const std::string &contents, const std::string &path)
-        : text_(contents), path_(path), position_(header.body), big_endian_(header.format == PlyFormat::big_endian)
+    BinaryValues(const PlyHeader &header, const std::string &text, std::size_t position, const std::string &path)
+        : text_(text), path_(path), begin_(position), position_(position),
+          big_endian_(header.format == PlyFormat::big_endian)
     {
     }
 
     double real(PlyType type, const std::string &name, std::uint64_t row) override
     {
+        if (type == PlyType::uint64)
+            return static_cast<double>(next(ply_size(type), name, row));
         if (ply_is_integer(type))
             return static_cast<double>(integer(type, name, row));
         const std::uint64_t bits = next(ply_size(type), name, row);
@@ -118,6 +133,16 @@ public:
         }
     }
 
+    void skip(PlyType type, std::uint64_t count, const std::string &name, std::uint64_t row) override
+    {
+        check_room(type, count, name, row);
+        begin_ = position_;
+        position_ += count * ply_size(type);
+    }
+
+    std::size_t begin() const override { return begin_; }
+    std::size_t end() const override { return position_; }
+
     void check_room(PlyType type, std::uint64_t count, const std::string &name, std::uint64_t row) override
     {
         if (count > (text_.size() - position_) / ply_size(type))
@@ -139,6 +164,7 @@ private:
     {
         if (size > text_.size() - position_)
             throw truncated(name, row);
+        begin_ = position_;
         std::uint64_t bits = 0;
         for (std::size_t k = 0; k < size; ++k) {
             const auto byte = static_cast<unsigned char>(text_[position_ + (big_endian_ ? k : size - 1 - k)]);
@@ -150,17 +176,18 @@ private:
 
     std::string_view text_;
     std::string path_;
-    std::size_t position_;
+    std::size_t begin_, position_;
     bool big_endian_;
 };
 
 } // namespace
 
-std::unique_ptr<PlyValues> ply_values(const PlyHeader &header, const std::string &contents, const std::string &path)
+std::unique_ptr<PlyValues> ply_values(const PlyHeader &header, const std::string &text, std::size_t position,
+                                      const std::string &path)
 {
     if (header.format == PlyFormat::ascii)
-        return std::make_unique<AsciiValues>(header, contents, path);
-    return std::make_unique<BinaryValues>(header, contents, path);
+        return std::make_unique<AsciiValues>(header, text, position, path);
+    return std::make_unique<BinaryValues>(header, text, position, path);
 }
 
 } // namespace motorway::tool

@@ -12,13 +12,21 @@
 
 namespace motorway::tool {
 
-/* `row` is the element that is being read, such as "vertex 17": a binary file has no lines to name in an error. */
+/* Values are read in the order of the file, and each is of the type that the header says.
+ * `row` is the element that is being read, such as "vertex 17": a binary file has no lines to name in an error. */
 class PlyValues {
 public:
     virtual ~PlyValues() = default;
 
+    /* The next value: it lies in the text from begin() to end(). */
     virtual double real(PlyType type, const std::string &name, std::uint64_t row) = 0;
     virtual std::int64_t integer(PlyType type, const std::string &name, std::uint64_t row) = 0;
+
+    /* Passes over `count` values, whatever they are. */
+    virtual void skip(PlyType type, std::uint64_t count, const std::string &name, std::uint64_t row) = 0;
+
+    virtual std::size_t begin() const = 0;
+    virtual std::size_t end() const = 0;
 
     /* Throws unless `count` more values of the type can be there. */
     virtual void check_room(PlyType type, std::uint64_t count, const std::string &name, std::uint64_t row) = 0;
@@ -30,7 +38,9 @@ public:
     virtual std::size_t line() const { return 0; }
 };
 
-std::unique_ptr<PlyValues> ply_values(const PlyHeader &header, const std::string &contents, const std::string &path);
+/* The values of this text from `position` on, which is the beginning of the body or an end() in it. */
+std::unique_ptr<PlyValues> ply_values(const PlyHeader &header, const std::string &text, std::size_t position,
+                                      const std::string &path);
 
 } // namespace motorway::tool
 

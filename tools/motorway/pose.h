@@ -11,16 +11,12 @@
 
 namespace motorway::tool {
 
-struct Pose {
-    std::vector<float> positions;
-    std::vector<float> normals;
-};
+/* The mesh moved by one motor, into arrays that are resized as needed. It is computed in double; a mesh of floats is
+ * rounded to floats once, at the end. */
+void pose_mesh(Pose &out, const Mesh &mesh, const mw_motor_f64 &motor);
 
-/* The mesh moved by one motor, into arrays that are resized as needed. */
-void pose_mesh(Pose &out, const Mesh &mesh, const mw_motor_f32 &motor);
-
-/* Throws an Error that names `where` if a position overflowed. */
-void check_finite(const Pose &pose, const std::string &where);
+/* Throws an Error that names `where` if a position of the mesh was finite, and is not in the pose. */
+void check_finite(const Pose &pose, const Mesh &mesh, const std::string &where);
 
 /* The largest change of the length of an edge, in the units of the mesh. */
 double edge_deviation(const Mesh &mesh, const std::vector<Edge> &edges, const Pose &pose);
@@ -30,9 +26,10 @@ struct Speed {
     std::size_t passes;
 };
 
-/* Poses the mesh by every motor into one buffer, again and again for about a quarter of a second: no reading, no
- * writing, one thread. */
-Speed measure_speed(const Mesh &mesh, const std::vector<mw_motor_f32> &motors);
+/* Poses the positions and normals of the mesh by every motor into one buffer, again and again for about a quarter of a
+ * second, as a program does that holds them as the file does, in float or in double: no reading, no writing, one
+ * thread. */
+Speed measure_speed(const Mesh &mesh, const std::vector<mw_motor_f64> &motors);
 
 } // namespace motorway::tool
 

@@ -10,10 +10,10 @@
 #include "mesh.h"
 #include "motion.h"
 #include "motion_file.h"
-#include "obj.h"
+#include "normals.h"
 #include "picture.h"
-#include "ply.h"
 #include "pose.h"
+#include "posed_file.h"
 #include "progress.h"
 #include "scaling.h"
 #include "status.h"
@@ -70,23 +70,65 @@ void check_options(const PoseOptions &options)
 
 /* Poses every frame once: measures its edges and, unless the output is an animation, writes it. */
 double pose_frames(OutputFiles &out, const PoseOptions &options, const Mesh &mesh,
-                   const std::vector<mw_motor_f32> &motors, const std::vector<Edge> &edges)
+                   const std::vector<mw_motor_f64> &motors, const std::vector<Edge> &edges)
 {
-    const bool as_obj = extension(options.out) == ".obj";
+    const std::string kind = extension(options.out);
     Progress progress("posing frame", motors.size());
     double deviation = 0;
     Pose pose;
     for (std::size_t frame = 0; frame < motors.size(); ++frame) {
         pose_mesh(pose, mesh, motors[frame]);
-        check_finite(pose, "frame " + std::to_string(frame));
+        check_finite(pose, mesh, "frame " + std::to_string(frame));
         deviation = std::max(deviation, edge_deviation(mesh, edges, pose));
         if (!is_animation(options))
-            out.write(numbered(options.out, frame, motors.size()),
-                      as_obj ? write_obj(mesh, pose.positions, pose.normals)
-                             : write_ply(mesh, pose.positions, pose.normals));
+            out.write(numbered(options.out, frame, motors.size()), write_posed(mesh, pose, kind));
         progress.step();
     }
     return deviation;
+}
+
+/* What can be drawn of a mesh, each corner with a normal. */
+Mesh drawable(const Mesh &mesh)
+{
+    Mesh part = finite_part(mesh);
+    add_missing_normals(part);
+    return part;
+}
+
+/* The edges whose length can be measured. */
+std::vector<Edge> finite_edges(const Mesh &mesh)
+{
+    std::vector<Edge> all = edges(mesh);
+    const auto touches_nothing = [&](const Edge &edge) {
+        return !mesh.has_finite_position(edge.first) || !mesh.has_finite_position(edge.second);
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), touches_nothing), all.end());
+    return all;
+}
+
+void print_speed(const Speed &speed, const Mesh &mesh)
+{
+    const double millions = speed.vertices_per_second / 1e6;
+    print_line("posing", (millions < 100 ? brief(millions) : grouped(millions)) + " million vertices/s in " +
+                             (mesh.in_double ? "double" : "float") +
+                             (mesh.normals.empty() ? "" : ", each with its normal"));
+    print_line("", "one thread, without reading and writing; the median of " + counted(speed.passes, "pass") +
+                       " over all frames");
+}
+
+void print_deviation(double deviation, std::size_t edge_count, const Mesh &mesh)
+{
+    if (edge_count == 0) {
+        print_line("edges", "none, so that there are no lengths to compare");
+        return;
+    }
+    print_line("edges", grouped(static_cast<std::uint64_t>(edge_count)) +
+                            ", whose length deviates by at most " + brief(deviation) + " from the rest pose");
+    const double diagonal = bounding_box(mesh).diagonal();
+    if (diagonal > 0)
+        print_line("", brief(deviation / diagonal) + " of the diagonal of the bounding box");
+    else
+        print_line("", "all vertices are at one point, so that there is no extent to compare that with");
 }
 
 } // namespace
@@ -98,33 +140,28 @@ void run_pose(const PoseOptions &options)
     Mesh mesh = read_mesh(options.mesh);
     const Scaling scaling = choose_scale(options.scale, motion, mesh);
     scale_mesh(mesh, scaling.factor, options.mesh);
-    add_missing_normals(mesh);
-    const std::vector<mw_motor_f32> motors =
-        rounded(sample(motion, even_parameters(motion, static_cast<std::size_t>(options.frames)), options.motion));
-    const std::vector<Edge> mesh_edges = edges(mesh);
+    const Mesh drawn = drawable(mesh);
+    const std::vector<mw_motor_f64> motors =
+        sample(motion, even_parameters(motion, static_cast<std::size_t>(options.frames)), options.motion);
+    const std::vector<Edge> measured = finite_edges(mesh);
 
     OutputFiles out;
-    const double deviation = pose_frames(out, options, mesh, motors, mesh_edges);
+    const double deviation = pose_frames(out, options, mesh, motors, measured);
     if (is_animation(options))
-        out.write(options.out, write_glb(mesh, motors, options.frames_per_second, options.out));
+        out.write(options.out, write_glb(drawn, motors, options.frames_per_second, options.out));
     if (!options.picture.empty())
         out.write(options.picture,
-                  draw_picture(mesh, motion, static_cast<std::size_t>(options.picture_poses), options.motion));
-    const Speed speed = measure_speed(mesh, motors);
+                  draw_picture(drawn, motion, static_cast<std::size_t>(options.picture_poses), options.motion));
+    const Speed speed = measure_speed(drawn, motors);
     out.commit();
 
-    print_mesh(options.mesh, mesh, scaling);
+    print_warnings(options.mesh, mesh);
+    print_mesh(options.mesh, mesh, scaling, left_out(mesh, extension(options.out)));
     print_motion("motion", options.motion, motion);
     print_line("frames", grouped(static_cast<std::uint64_t>(motors.size())));
     print_line("ISA", mw_isa());
-    const double millions = speed.vertices_per_second / 1e6;
-    print_line("posing",
-               (millions < 100 ? brief(millions) : grouped(millions)) + " million vertices/s, each with its normal");
-    print_line("", "one thread, without reading and writing; the median of " + counted(speed.passes, "pass") +
-                       " over all frames");
-    print_line("edges", grouped(static_cast<std::uint64_t>(mesh_edges.size())) +
-                            ", whose length deviates by at most " + brief(deviation) + " from the rest pose");
-    print_line("", brief(deviation / bounding_box(mesh).diagonal()) + " of the diagonal of the bounding box");
+    print_speed(speed, drawn);
+    print_deviation(deviation, measured.size(), mesh);
     print_files(out.files());
 }
 

@@ -25,10 +25,13 @@ Scaling choose_scale(const std::optional<double> &option, const Motion &motion, 
 
 void scale_mesh(Mesh &mesh, double factor, const std::string &path)
 {
-    for (float &coordinate : mesh.positions) {
-        coordinate = static_cast<float>(coordinate * factor);
-        if (!std::isfinite(coordinate))
-            throw Error(path, "is too large for floats when it is scaled by " + brief(factor) + "; use less");
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const double scaled = mesh.positions[i] * factor;
+        if (std::isfinite(mesh.positions[i]) &&
+            !std::isfinite(mesh.in_double ? scaled : static_cast<double>(static_cast<float>(scaled))))
+            throw Error(path, std::string("is too large for ") + (mesh.in_double ? "doubles" : "floats") +
+                                  " when it is scaled by " + brief(factor) + "; use less");
+        mesh.positions[i] = scaled;
     }
 }
 

@@ -20,7 +20,7 @@ void check_scale(const std::optional<double> &option);
 
 Scaling choose_scale(const std::optional<double> &option, const Motion &motion, const Mesh &mesh);
 
-/* Throws an Error that names `path` if the mesh becomes too large for floats. */
+/* Throws an Error that names `path` if the mesh becomes too large for what it is written in. */
 void scale_mesh(Mesh &mesh, double factor, const std::string &path);
 
 } // namespace motorway::tool

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
+
+#include "normals.h"
 
 namespace motorway::tool {
 namespace {
@@ -22,7 +25,7 @@ Cell cell_of(const Mesh &mesh, const Box &box, std::size_t vertex, int cells)
 Mesh clustered(const Mesh &mesh, int cells)
 {
     const Box box = bounding_box(mesh);
-    const std::vector<float> normals = vertex_normals(mesh, mesh.normals);
+    const std::vector<double> normals = vertex_normals(mesh, mesh.normals);
     std::map<Cell, std::uint32_t> numbers;
     std::vector<std::uint32_t> merged(mesh.vertex_count());
     std::vector<double> positions, directions, counts;
@@ -41,8 +44,10 @@ Mesh clustered(const Mesh &mesh, int cells)
     }
     Mesh out;
     for (std::size_t i = 0; i < positions.size(); ++i)
-        out.positions.push_back(static_cast<float>(positions[i] / counts[i / 3]));
-    out.normals = unit_vectors(directions);
+        out.positions.push_back(positions[i] / counts[i / 3]);
+    make_unit(directions);
+    out.normals = std::move(directions);
+    out.in_double = mesh.in_double;
     for (const Triangle &triangle : triangles(mesh)) {
         std::uint32_t corner[3];
         for (std::size_t k = 0; k < 3; ++k)

@@ -20,17 +20,29 @@ void print_line(const char *label, const std::string &text)
     std::printf("%-9s %s\n", label, text.c_str());
 }
 
-void print_mesh(const std::string &path, const Mesh &mesh, const Scaling &scaling)
+void print_mesh(const std::string &path, const Mesh &mesh, const Scaling &scaling,
+                const std::vector<std::string> &left_out)
 {
     print_line("mesh", path);
-    print_line("", counted(mesh.vertex_count(), "vertex") + ", " + counted(mesh.face_count(), "face"));
+    std::string counts = counted(mesh.vertex_count(), "vertex") + ", " + counted(mesh.face_count(), "face");
+    if (!mesh.lines.empty())
+        counts += ", " + counted(mesh.lines.size(), "line");
+    print_line("", mesh.is_cloud() ? "a cloud of " + counted(mesh.vertex_count(), "point") : counts);
     if (!scaling.reason.empty())
         print_line("", "scaled by " + precise(scaling.factor) + " (" + scaling.reason + ")");
-    std::string left_out;
-    for (const std::string &item : mesh.left_out)
-        left_out += (left_out.empty() ? "left out: " : ", ") + item;
-    if (!left_out.empty())
-        print_line("", left_out);
+    for (const std::string &note : mesh.notes)
+        print_line("", note);
+    std::string listed;
+    for (const std::string &item : left_out)
+        listed += (listed.empty() ? "left out: " : ", ") + item;
+    if (!listed.empty())
+        print_line("", listed);
+}
+
+void print_warnings(const std::string &path, const Mesh &mesh)
+{
+    for (const std::string &warning : mesh.warnings)
+        std::fprintf(stderr, "motorway: warning: %s: %s\n", path.c_str(), warning.c_str());
 }
 
 void print_motion(const char *label, const std::string &path, const Motion &motion)

@@ -18,7 +18,13 @@ std::string description(const Motion &motion);
 /* A line; without a label, one more of what the last label stands for. */
 void print_line(const char *label, const std::string &text);
 
-void print_mesh(const std::string &path, const Mesh &mesh, const Scaling &scaling);
+/* `left_out` is what the files that are written do not hold of it. */
+void print_mesh(const std::string &path, const Mesh &mesh, const Scaling &scaling,
+                const std::vector<std::string> &left_out = {});
+
+/* What may be a mistake in the mesh, on the standard error. */
+void print_warnings(const std::string &path, const Mesh &mesh);
+
 void print_motion(const char *label, const std::string &path, const Motion &motion);
 
 /* A few files by name, a long sequence by its ends. */

@@ -30,6 +30,11 @@ std::optional<double> parse_double(std::string_view word)
     return parse_real<double>(word, std::strtod);
 }
 
+bool overflowed(std::string_view word, double value)
+{
+    return std::isinf(value) && word.find_first_of("0123456789") != std::string_view::npos;
+}
+
 std::optional<std::int64_t> parse_integer(std::string_view word)
 {
     std::int64_t value = 0;
@@ -43,6 +48,10 @@ std::optional<std::int64_t> parse_integer(std::string_view word)
 
 template <class T> static void append_shortest(std::string &text, T value)
 {
+    if (std::isnan(value)) { /* whose sign says nothing, and is nothing that every reader takes */
+        text += "nan";
+        return;
+    }
     char digits[32];
     text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
 }

@@ -14,6 +14,9 @@ namespace motorway::tool {
  * question. The word must lie inside a text that ends with a NUL, as a std::string does. */
 std::optional<float> parse_float(std::string_view word);
 std::optional<double> parse_double(std::string_view word);
+/* Whether this word, read as this value, is a number that is too large for its type, and not "inf". */
+bool overflowed(std::string_view word, double value);
+
 std::optional<std::int64_t> parse_integer(std::string_view word);
 
 /* The shortest text that reads back as the same number. */
