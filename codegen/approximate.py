@@ -164,6 +164,8 @@ def parts(value: Fraction, precision: str) -> Tuple[Fraction, Fraction]:
     return first, round_to(value - first, MANTISSA_BITS[precision])
 
 
+SMALLEST_LENGTHS = {"f32": 120, "f64": 1000}
+
 # Those that kernels use, by name: what they are, and their value in a precision.
 REAL_NUMBERS: Dict[str, Tuple[str, Callable[[str], Fraction]]] = {
     "pi": ("π", lambda precision: parts(PI, precision)[0]),
@@ -175,6 +177,8 @@ REAL_NUMBERS: Dict[str, Tuple[str, Callable[[str], Fraction]]] = {
     "pi_low": ("the second half", lambda precision: halves_of_pi(precision)[1]),
     # Of two vectors, one that is shorter by this (squared) has no direction but that of rounding.
     "gimbal_lock": ("the square of 8 epsilons", lambda precision: Fraction(64, 4 ** (MANTISSA_BITS[precision] - 1))),
+    # By its inverse, which does not overflow, it brings the smallest numbers so far up that their squares are normal.
+    "smallest_length": ("less than other lengths", lambda precision: Fraction(1, 2 ** SMALLEST_LENGTHS[precision])),
     "inverse_pi": ("1/π", lambda precision: parts(1 / PI, precision)[0]),
     "inverse_two_pi": ("1/(2π)", lambda precision: parts(1 / (2 * PI), precision)[0]),
 }

@@ -15,7 +15,7 @@ from expression import function, precise, root
 from formulas import alpha, half_commutator_image, unnamed
 from motor_group import log_shortest, normalized, sinc_and_slope, trim
 
-SMALLEST_LENGTH = Fraction(1, 2**120)  # scaling by its inverse overflows in neither precision
+SMALLEST_LENGTH = precise("smallest_length")
 SMALLEST_ROTATION = Fraction(1, 2**60)  # its square is a normal number in both
 AXES = ("23", "31", "12")  # of the rotations about e1, e2 and e3
 

@@ -122,7 +122,7 @@ def log_principal(S, let):
     """The logarithm of S itself, which turns by less than a full turn: for s < 0, f(s) = π/√(1-s²) - f(-s)."""
     z, f = log_parts(S, let)
     full, i = turn_over_angle(S, let)
-    turn = let("turn", function("if_less", S[""], 0, full, 0))
+    turn = let("turn", function("if_less", f, 0, full, 0))  # f is negative for s = -0 too
     g = let("g", long_slope(S, z, turn, i, let) * S[OMEGA])
     return (dual(let("f", f + turn), g) * S.only(BIVECTOR.blades)).only(BIVECTOR.blades)
 

@@ -5,6 +5,7 @@
 #include "kernel_call.h"
 #include "motion/sample.h"
 #include "motorway.h"
+#include "near_unit.h"
 
 #include <algorithm>
 
@@ -61,6 +62,20 @@ template <class T, class E> void run(kernel<T, E> function, const call<T, E> &ar
         kernels()->fence();
 }
 
+// A motor for formulas that take its α times other numbers: itself, or if it is far from 1 a multiple in `room`. Null if
+// it is degenerate.
+template <class T> const T *near_unit(const T *motor, T *room)
+{
+    constexpr T near = sizeof(T) == sizeof(float) ? T(near_unit_f32) : T(near_unit_f64);
+    const T alpha = alpha_of(motor);
+    if (alpha >= 1 / near && alpha <= near)
+        return motor;
+    const T factor = factor_near_unit(alpha);
+    for (int c = 0; c < 8; ++c)
+        room[c] = motor[c] * factor;
+    return is_degenerate(motor) ? nullptr : room;
+}
+
 // ----------------------------------------------------------------------------------------------------- pairings
 
 template <class T, class E, int N, int Parts, class Shift>
@@ -74,9 +89,10 @@ mw_status apply_one(kernel<T, E> function, const elements<E, N, Parts> &out, con
         if (status != MW_OK)
             return status;
     }
-    if (is_degenerate(motor))
+    T near[8], room[fixed_size];
+    motor = near_unit(motor, near);
+    if (!motor)
         return MW_ERROR_DEGENERATE_MOTOR;
-    T room[fixed_size];
     const bool streaming = is_streaming(out, in, 2 * count * N * Parts * sizeof(E), flags);
     run(function, kernel_call<T, E, N, Parts>(out, in, count, streaming, shift.with(motor, room)).arguments);
     return MW_OK;
@@ -205,13 +221,15 @@ void run_rows(kernel<T, E> one, const grid_batch<T, E, N, Parts, Shift> &grid, b
 {
     for (std::size_t begin = 0; begin < grid.shape.count; begin += row_chunk)
         for (std::size_t row = 0; row < grid.shape.rows; ++row) {
-            T motor[8], room[fixed_size];
+            T motor[8], near[8], room[fixed_size];
             const view<const T, 8> here = grid.motors.from(row);
             for (int c = 0; c < 8; ++c)
                 __builtin_memcpy(&motor[c], here.component[c], sizeof(T));
+            const T *const usual = near_unit(motor, near);
             const elements<E, N, Parts> out = grid.out.moved_by(row * grid.shape.row_stride).from(begin);
             const std::size_t some = std::min(row_chunk, grid.shape.count - begin);
-            one(kernel_call<T, E, N, Parts>(out, grid.in.from(begin), some, streaming, grid.shift.with(motor, room))
+            one(kernel_call<T, E, N, Parts>(out, grid.in.from(begin), some, streaming,
+                                           grid.shift.with(usual ? usual : motor, room))
                     .arguments);
         }
 }

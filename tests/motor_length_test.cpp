@@ -21,7 +21,6 @@ template <class T>
 class MotorLengthTest : public ::testing::Test {
 protected:
     using A = Api<T>;
-    using C = ConvertApi<T>;
     using Motor = typename A::Motor;
 
     static constexpr std::size_t count = 37;

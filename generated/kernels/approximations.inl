@@ -49,6 +49,12 @@ template <class V> inline V gimbal_lock()
     return V(is_single<V> ? scalar_of<V>(9.094947e-13f) : scalar_of<V>(3.1554436208840472e-30));
 }
 
+// less than other lengths
+template <class V> inline V smallest_length()
+{
+    return V(is_single<V> ? scalar_of<V>(7.523164e-37f) : scalar_of<V>(9.332636185032189e-302));
+}
+
 // 1/π
 template <class V> inline V inverse_pi()
 {

@@ -35,7 +35,7 @@ struct convert_motor_to_axis_angle_each {
         const V shared3 = if_less(shared1, shared2, shared2, shared1);
         const V vz = b12 * f;
         const V shared4 = magnitude(vz);
-        const V scale = at_least(if_less(shared3, shared4, shared4, shared3), V(7.52316384526264e-37));
+        const V scale = at_least(if_less(shared3, shared4, shared4, shared3), smallest_length<V>());
         const V inverse = V(1) / scale;
         const V dx = vx * inverse;
         const V dz = vz * inverse;

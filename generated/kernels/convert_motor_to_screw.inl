@@ -53,7 +53,7 @@ struct convert_motor_to_screw_each {
         const V g3i = fnma(n12, g, n3i * f);
         const V uz = if_less(V(8.673617379884035e-19), half_angle, g12, g3i);
         const V shared4 = magnitude(uz);
-        const V scale = at_least(if_less(shared3, shared4, shared4, shared3), V(7.52316384526264e-37));
+        const V scale = at_least(if_less(shared3, shared4, shared4, shared3), smallest_length<V>());
         const V inverse = V(1) / scale;
         const V dx = ux * inverse;
         const V dz = uz * inverse;

@@ -29,6 +29,7 @@ struct log_principal_motor_each {
         const V n = s * r;
         const V shared1 = magnitude(n);
         const V z = V(1) - shared1;
+        const V shared2 = with_sign(arc(z), n);
         const V n23 = b23 * r;
         const V n13 = b13 * r;
         const V square = fma(n23, n23, fma(n13, n13, n12 * n12));
@@ -39,8 +40,8 @@ struct log_principal_motor_each {
         const V off = fnma(rough, scaled, V(1));
         const V i = fma(half_rough, off, rough);
         const V pi_over = fma(pi_rest<V>(), i, pi<V>() * i);
-        const V turn = if_less(n, V(0), pi_over, V(0));
-        const V f = with_sign(arc(z), n) + turn;
+        const V turn = if_less(shared2, V(0), pi_over, V(0));
+        const V f = shared2 + turn;
         const V half_beta = fnma(b23, b1i, fma(b13, b2i, fnma(b12, b3i, s * w)));
         const V q = (r * r) * half_beta;
         const V n123i = r * fnma(s, q, w);
@@ -78,6 +79,7 @@ struct log_principal_motor_each_unit {
         const V s = in[0], b12 = in[1], b13 = in[2], b23 = in[3], b1i = in[4], b2i = in[5], b3i = in[6], w = in[7];
         const V shared1 = magnitude(s);
         const V z = V(1) - shared1;
+        const V shared2 = with_sign(arc(z), s);
         const V square = fma(b23, b23, fma(b13, b13, b12 * b12));
         const V near = sqrt(square);
         const V rough = if_less(V(9.094947017729282e-13), near, V(1) / near, V(0));
@@ -86,8 +88,8 @@ struct log_principal_motor_each_unit {
         const V off = fnma(rough, scaled, V(1));
         const V i = fma(half_rough, off, rough);
         const V pi_over = fma(pi_rest<V>(), i, pi<V>() * i);
-        const V turn = if_less(s, V(0), pi_over, V(0));
-        const V f = with_sign(arc(z), s) + turn;
+        const V turn = if_less(shared2, V(0), pi_over, V(0));
+        const V f = shared2 + turn;
         const V bend = shared1 * turn;
         const V ii = i * i;
         const V slope = fnma(bend, ii, arc_slope(z));

@@ -82,7 +82,7 @@ public:
     explicit packed_affine_map(const T *fixed)
     {
         T constant[16] = {}; // whole registers
-        run_prologue<K>(fixed, constant);
+        K::template prologue<T>(fixed, constant);
         set_register<0>(constant);
         set_register<1>(constant);
         set_register<2>(constant);

@@ -1,6 +1,7 @@
 // One block of elements through the arithmetic of a generated kernel.
 #pragma once
 
+#include "../near_unit.h"
 #include "streams.h"
 
 // Everything that a loop calls is compiled into it, so that elements stay in registers.
@@ -12,13 +13,11 @@ namespace {
 
 // ------------------------------------------------------------------------------------------ motors of any length
 //
-// α of a motor may be any normal number, but formulas take it times other numbers. So a motor whose α is far from 1
-// is scaled by a power of two first, which changes no bit of a result that would not over- or underflow.
+// Kernels whose motors may be of any length, and those that hold a motor of a batch far from 1 (../near_unit.h). The one
+// motor of a call is brought near 1 by the caller.
 
 template <class K, class = void> constexpr bool takes_any_length = false;
 template <class K> constexpr bool takes_any_length<K, std::enable_if_t<(K::degree <= 0)>> = true;
-
-template <class T> constexpr T long_alpha = sizeof(T) == 4 ? T(0x1p20) : T(0x1p200);
 
 template <class V> inline V alpha_of(const V *motor)
 {
@@ -27,21 +26,8 @@ template <class V> inline V alpha_of(const V *motor)
 
 template <class V> inline bool is_far_from_unit(const V *motor)
 {
-    using T = scalar_of<V>;
-    return __builtin_expect(!all_between(alpha_of(motor), 1 / long_alpha<T>, long_alpha<T>), false);
-}
-
-// The power of two that makes √α about 1, of an α that is too large or too small and normal.
-template <class T> inline T scale_of(T alpha)
-{
-    using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-    constexpr int mantissa = sizeof(T) == 4 ? 23 : 52;
-    constexpr bits bias = sizeof(T) == 4 ? 127 : 1023;
-    const bits exponent = read<bits>(&alpha) >> mantissa;
-    if ((alpha >= 1 / long_alpha<T> && alpha <= long_alpha<T>) || exponent == 0 || exponent >= 2 * bias + 1)
-        return 1;
-    const bits scale = (bias + (bias - exponent / 2) - bias / 2) << mantissa;
-    return read<T>(&scale);
+    constexpr scalar_of<V> near = is_single<V> ? near_unit_f32 : near_unit_f64;
+    return __builtin_expect(!all_between(alpha_of(motor), 1 / near, near), false);
 }
 
 // Scales the motors of a register, and returns by what.
@@ -50,12 +36,12 @@ template <class V> __attribute__((noinline, cold)) V bring_near_unit(V *motor)
     using T = scalar_of<V>;
     constexpr int lanes = sizeof(V) / sizeof(T);
     const V alpha = alpha_of(motor);
-    T scale[lanes];
-    __builtin_memcpy(scale, &alpha, sizeof alpha);
-    for (T &one : scale)
-        one = scale_of(one);
+    T each[lanes];
+    __builtin_memcpy(each, &alpha, sizeof alpha);
+    for (T &lane : each)
+        lane = factor_near_unit(lane);
     V factor;
-    __builtin_memcpy(static_cast<void *>(&factor), scale, sizeof factor);
+    __builtin_memcpy(static_cast<void *>(&factor), each, sizeof factor);
     for (int c = 0; c < motor_size; ++c)
         motor[c] = motor[c] * factor;
     return factor;
@@ -63,30 +49,12 @@ template <class V> __attribute__((noinline, cold)) V bring_near_unit(V *motor)
 
 // -------------------------------------------------------------------------------------------- prologue and body
 
-template <class K, class V> __attribute__((noinline, cold)) void run_prologue_near_unit(const V *fixed, V *constant)
-{
-    V near[K::fixed_size];
-    for (int n = 0; n < K::fixed_size; ++n)
-        near[n] = fixed[n];
-    bring_near_unit(near);
-    K::template prologue<V>(near, constant);
-}
-
-template <class K, class V> inline void run_prologue(const V *fixed, V *constant)
-{
-    if constexpr (takes_any_length<K>)
-        if constexpr (K::has_fixed_motor)
-            if (is_far_from_unit(fixed))
-                return run_prologue_near_unit<K>(fixed, constant);
-    K::template prologue<V>(fixed, constant);
-}
-
 // What the prologue makes of the fixed input, in every lane. An array of one where there is no prologue.
 template <class K, class T, class V> inline void broadcast_constants(const T *fixed, V *constant)
 {
     if constexpr (K::constant_size > 0) {
         T scalar[K::constant_size];
-        run_prologue<K>(fixed, scalar);
+        K::template prologue<T>(fixed, scalar);
         for (int c = 0; c < K::constant_size; ++c)
             constant[c] = V(scalar[c]);
     }

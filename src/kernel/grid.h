@@ -25,7 +25,9 @@ inline void load_matrices(const call<T, E> &c, const any_stream<const T, motor_s
         motors.load_partial(first, first < c.rows ? static_cast<int>(c.rows - first) : 0, fixed);
     for (int n = motor_size; n < K::fixed_size; ++n)
         fixed[n] = vector<T>(c.fixed[n - motor_size]);
-    run_prologue<K>(fixed, constant);
+    if (is_far_from_unit(fixed))
+        bring_near_unit(fixed);
+    K::template prologue<vector<T>>(fixed, constant);
 }
 
 // Where the images of element i are, as streams.

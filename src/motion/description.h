@@ -25,10 +25,15 @@ template <> struct c_types<double> {
 template <class T> using motor_of = typename c_types<T>::motor;
 template <class T> using motion_of = typename c_types<T>::motion;
 
+template <class T> T alpha_of(const T *motor)
+{
+    return motor[0] * motor[0] + motor[1] * motor[1] + motor[2] * motor[2] + motor[3] * motor[3];
+}
+
 // Whether α is outside the normal range, so that the motor has no inverse.
 template <class T> bool is_degenerate(const T *motor)
 {
-    const T alpha = motor[0] * motor[0] + motor[1] * motor[1] + motor[2] * motor[2] + motor[3] * motor[3];
+    const T alpha = alpha_of(motor);
     return !(alpha >= std::numeric_limits<T>::min() && alpha <= std::numeric_limits<T>::max());
 }
 
