@@ -5,8 +5,10 @@
 
 cmake_minimum_required(VERSION 3.22)
 
-# The C library's; what compilers call on their own; and the CPU's features, from the compiler's own static library.
-set(allowed "^(memcpy|memmove|memset|memcmp|strcmp|getenv|__stack_chk_fail|_GLOBAL_OFFSET_TABLE_|__cpu_model)$")
+# The C library's; what compilers call on their own; and the CPU's features and atomic instructions, from the compiler's
+# own static library.
+set(allowed "^(memcpy|memmove|memset|memcmp|strcmp|getenv|__stack_chk_fail|_GLOBAL_OFFSET_TABLE_|__cpu_model|\
+__aarch64_.*|__gcov_.*|__llvm_.*)$")
 
 execute_process(COMMAND ${nm} -P ${library} OUTPUT_VARIABLE output RESULT_VARIABLE failed)
 if(failed)
