@@ -169,7 +169,8 @@ void print_rotations()
         twists.add(point, 3);
 
         const typename C::ConstMatrices in{matrix, sizeof matrix, MW_MATRIX_ROWS_3X4};
-        expect_ok(C::matrix_to_motor(packed_motors(&motor.s), in, 1, MW_NEAREST_ROTATION), "nearest rotation");
+        expect_ok(C::matrix_to_motor(packed_motors(&motor.s), in, 1, MW_NEAREST_ROTATION, nullptr),
+                  "nearest rotation");
         nearest.add(&motor.s, 8);
     }
     rotations.print(std::string("rotation ") + Api<T>::name);

@@ -832,7 +832,7 @@ TYPED_TEST(ConvertTest, the_rotation_nearest_to_a_stretched_one_is_the_rotation)
         const Representation<T> by_layout = matrices<T>(layout, MW_NEAREST_ROTATION);
         for (std::size_t k = 0; k < rotations.size(); k += 12) {
             const Numbers<T> rotation(&rotations[k], &rotations[k] + 12);
-            Numbers<T> rows = rotation, in(by_layout.size);
+            Numbers<T> rows = rotation, in = by_layout.identity;
             stretch(rows.data(), random, 1);
             for (std::size_t r = 0; r < 3; ++r)
                 for (std::size_t c = 0; c < 4; ++c)
@@ -910,9 +910,11 @@ TYPED_TEST(ConvertTest, nan_and_infinity_stay_in_their_matrix)
                 const Numbers<T> expected = not_looked_at.motors(in);
                 in[24 + place] = bad;
                 const Numbers<T> got = not_looked_at.motors(in);
-                for (std::size_t k = 0; k < got.size(); ++k)
-                    if (k / 8 != 2)
+                for (std::size_t k = 0; k < got.size(); ++k) {
+                    if (k / 8 != 2) {
                         EXPECT_EQ(got[k], expected[k]);
+                    }
+                }
             }
 }
 
