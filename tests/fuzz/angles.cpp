@@ -146,6 +146,22 @@ Quaternion<Wide<T>> rotation_of(mw_euler_order order, const T *angles)
     return r;
 }
 
+// Half of how far the second angle is from gimbal lock, of a motor of any length. With w and q_i q_j q_k along the three
+// axes: the smaller of the lengths of (w, q_i) and (q_j, q_k) if the first axis is the last; else of (w + q_j, q_i + q_k)
+// and (w - q_j, q_i - q_k) over √2, where k is the axis that is left and counts with the sign of the order.
+template <class R>
+R distance_from_lock(mw_euler_order order, const Quaternion<R> &r)
+{
+    const R q[] = {r.v.x, r.v.y, r.v.z};
+    const std::size_t i = testing::axis_of(order, 0), j = testing::axis_of(order, 1), k = 3 - i - j;
+    const R size = length(r), sign = (i + 1) % 3 == j ? R(1) : R(-1);
+    const auto both = [](R a, R b) { return sqrt(a * a + b * b); };
+    if (i == testing::axis_of(order, 2))
+        return smaller(both(r.w, q[i]), both(q[j], q[k])) / size;
+    const R plus = both(r.w + q[j], q[i] + sign * q[k]), minus = both(r.w - q[j], q[i] - sign * q[k]);
+    return smaller(plus, minus) / (size * sqrt(R(2)));
+}
+
 template <class T>
 Function euler_to_motor(mw_euler_order order)
 {
@@ -221,7 +237,11 @@ Function motor_to_euler(mw_euler_order order)
         const T half = a_half_turn<T>(), quarter = static_cast<T>(pi<R>() / 2);
         verdict.require("first and third in [-pi, pi]", std::fabs(got[0]) <= half && std::fabs(got[2]) <= half);
         verdict.require("second in its range", same_axes ? got[1] >= 0 && got[1] <= half : std::fabs(got[1]) <= quarter);
-        near_rotation<T>(verdict, rotation_of(order, got), R(1 / length(motor.r)) * motor.r, 5);
+        // How far the second angle is from where the axes of the others meet, half of it.
+        const R off = distance_from_lock(order, motor.r) / epsilon<T>();
+        near_rotation<T>(verdict, rotation_of(order, got), R(1 / length(motor.r)) * motor.r, off < R(10) ? 14 : 5);
+        if (off < R(6))
+            verdict.require("at gimbal lock the third angle is 0", got[2] == 0);
         near_translation(verdict, got + 3, motor);
         return verdict;
     };
@@ -307,7 +327,7 @@ void add(Functions &functions)
     functions.push_back(motor_to_axis_angle<T>());
     functions.push_back(screw_to_motor<T>());
     functions.push_back(motor_to_screw<T>());
-    for (int order = MW_EULER_XYZ; order <= MW_EULER_ZYZ; ++order) {
+    for (int order = 0; order <= static_cast<int>(MW_EULER_ZYZ); ++order) {
         functions.push_back(euler_to_motor<T>(static_cast<mw_euler_order>(order)));
         functions.push_back(motor_to_euler<T>(static_cast<mw_euler_order>(order)));
     }

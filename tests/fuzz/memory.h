@@ -21,25 +21,39 @@ inline Place packed(const Stream &stream, char *first)
 
 class Memory {
 public:
-    // Of the streams one behind the other, or woven: in turn, element by element, all with the same stride.
-    Memory(testing::Random &random, const std::vector<Stream> &streams, std::size_t count, bool woven)
-        : random_(random), streams_(streams), count_(count)
+    static constexpr int nowhere = -1;
+
+    // Of the streams one behind the other, or woven: in turn, element by element, all with the same stride. The last one,
+    // of the results, may lie over another, element over element and number over number, in any order.
+    Memory(testing::Random &random, const std::vector<Stream> &streams, std::size_t count, bool woven, int over)
+        : random_(random), streams_(streams), count_(count), offsets_(streams.size())
     {
+        const std::size_t last = streams.size() - 1, placed = over == nowhere ? streams.size() : last;
+        std::vector<std::size_t> room, first(streams.size());
+        for (const Stream &stream : streams)
+            room.push_back(stream.components);
+        if (over != nowhere)
+            room[index(over)] = std::max(room[index(over)], streams[last].components);
         std::size_t stride = 0;
-        std::vector<std::size_t> first(streams.size());
-        if (woven)
-            for (std::size_t k = 0; k < streams.size(); ++k)
-                if (streams[k].kind != Stream::shared) {
-                    first[k] = stride;
-                    stride += streams[k].components * streams[k].size + gap(streams[k]);
-                }
-        std::size_t end = gap({1, 1}) + stride * count;
-        const std::size_t begin = end - stride * count;
-        for (std::size_t k = 0; k < streams.size(); ++k)
-            if (woven && streams[k].kind != Stream::shared)
-                lay(streams[k], begin + first[k], stride);
-            else
-                lay_alone(streams[k], end);
+        for (std::size_t k = 0; k < placed && woven; ++k)
+            if (streams[k].kind != Stream::shared) {
+                first[k] = stride;
+                stride += room[k] * streams[k].size + gap(streams[k]);
+            }
+        const std::size_t begin = gap({1, 1});
+        std::size_t end = begin + stride * count;
+        for (std::size_t k = 0; k < placed; ++k) {
+            const bool lies_under = over != nowhere && k == index(over);
+            const bool whole = lies_under && streams[last].kind != Stream::apart;
+            const Slots slots = woven && streams[k].kind != Stream::shared
+                                    ? adjacent(begin + first[k], room[k], streams[k].size, stride)
+                                    : alone(streams[k], room[k], whole, end);
+            offsets_[k] = take(slots, streams[k]);
+            if (lies_under)
+                offsets_[last] = random.chance(2) && streams[k].components == streams[last].components
+                                     ? offsets_[k]
+                                     : take(slots, streams[last]);
+        }
         bytes_.resize(end + 64);
         for (char &byte : bytes_)
             byte = static_cast<char>(random_.bits());
@@ -72,10 +86,16 @@ public:
     }
 
 private:
+    struct Slots {
+        std::vector<std::size_t> number;  // where those of the first element are
+        std::size_t stride;
+    };
     struct Offsets {
         std::array<std::size_t, most_components> component{};
         std::size_t stride = 0;
     };
+
+    static std::size_t index(int k) { return static_cast<std::size_t>(k); }
 
     // Some bytes, mostly as many as keep numbers aligned.
     std::size_t gap(const Stream &stream)
@@ -83,37 +103,45 @@ private:
         return random_.chance(2) ? 0 : random_.chance(4) ? random_.below(40) : stream.size * random_.below(9);
     }
 
-    // An element's components from `begin` on, adjacent and in order, or else anyhow.
-    void lay(const Stream &stream, std::size_t begin, std::size_t stride)
+    static Slots adjacent(std::size_t begin, std::size_t room, std::size_t size, std::size_t stride)
     {
-        Offsets offsets;
-        offsets.stride = stride;
-        for (std::size_t c = 0; c < stream.components; ++c)
-            offsets.component[c] = begin + c * stream.size;
-        if (stream.kind == Stream::apart && random_.chance(3))
-            for (std::size_t c = stream.components; c > 1; --c)
-                std::swap(offsets.component[c - 1], offsets.component[random_.below(c)]);
-        offsets_.push_back(offsets);
+        Slots slots{{}, stride};
+        for (std::size_t k = 0; k < room; ++k)
+            slots.number.push_back(begin + k * size);
+        return slots;
     }
 
-    void lay_alone(const Stream &stream, std::size_t &end)
+    // Numbers that are adjacent, with or without something between elements; or an array each.
+    Slots alone(const Stream &stream, std::size_t room, bool whole, std::size_t &end)
     {
         const std::size_t count = stream.kind == Stream::shared ? 1 : count_;
-        if (stream.kind == Stream::apart && random_.chance(3)) {  // an array a component
-            Offsets offsets;
-            offsets.stride = stream.size + (random_.chance(3) ? gap(stream) : 0);
-            for (std::size_t c = 0; c < stream.components; ++c) {
-                offsets.component[c] = end;
-                end += offsets.stride * count + gap(stream);
+        if (stream.kind == Stream::apart && !whole && random_.chance(3)) {
+            Slots slots{{}, stream.size + (random_.chance(3) ? gap(stream) : 0)};
+            for (std::size_t k = 0; k < room; ++k) {
+                slots.number.push_back(end);
+                end += slots.stride * count + gap(stream);
             }
-            offsets_.push_back(offsets);
-            return;
+            return slots;
         }
         if (stream.kind == Stream::shared || random_.chance(3))
             end = (end + 63) / 64 * 64;
-        const std::size_t stride = stream.components * stream.size + (stream.kind == Stream::shared ? 0 : gap(stream));
-        lay(stream, end, stride);
+        const std::size_t stride = room * stream.size + (stream.kind == Stream::shared ? 0 : gap(stream));
+        const Slots slots = adjacent(end, room, stream.size, stride);
         end += stride * count + gap(stream);
+        return slots;
+    }
+
+    // An element's components in order, or else anyhow.
+    Offsets take(const Slots &slots, const Stream &stream)
+    {
+        std::vector<std::size_t> numbers = slots.number;
+        if (stream.kind == Stream::apart && random_.chance(3))
+            for (std::size_t k = numbers.size(); k > 1; --k)
+                std::swap(numbers[k - 1], numbers[random_.below(k)]);
+        Offsets offsets;
+        offsets.stride = slots.stride;
+        std::copy_n(numbers.begin(), stream.components, offsets.component.begin());
+        return offsets;
     }
 
     template <class Use>

@@ -139,7 +139,7 @@ Vector<R> column_of(const Quaternion<R> &r, int k)
     return rotate(Motor<R>{r, {}}, unit);
 }
 
-// Which of the numbers of a matrix are 0 0 0 1, and are not read.
+// Which of the numbers of a matrix are 0 0 0 1. They are looked at, but not converted.
 unsigned last_row(mw_matrix_layout layout)
 {
     unsigned numbers = (1u << testing::numbers_of(layout)) - 1;
@@ -173,6 +173,9 @@ Function motor_to_matrix(mw_matrix_layout layout)
         for (int k = 0; k < 3; ++k)
             near_column("rotation", static_cast<std::size_t>(k), column_of(motor.r, k), R(1));
         near_column("translation", 3, translation(motor), reach(motor));
+        for (std::size_t k = 0; k < testing::numbers_of(layout); ++k)
+            if (last_row(layout) >> k & 1)
+                verdict.require("last row", numbers<T>(out)[k] == T(k == 15));
         return verdict;
     };
     return f;
@@ -182,33 +185,32 @@ Function motor_to_matrix(mw_matrix_layout layout)
 template <class T>
 Function matrix_to_motor(mw_matrix_layout layout, unsigned flags)
 {
+    const bool unchecked = flags == MW_ROTATION_MATRICES;
     Function f{"matrix", named<T>("convert_matrix_to_motor_each") + ", " + testing::name_of(layout),
-               {{testing::numbers_of(layout), sizeof(T), Stream::adjacent, last_row(layout)}, motors_of<T>()},
+               {{testing::numbers_of(layout), sizeof(T), Stream::adjacent, unchecked ? last_row(layout) : 0}, motors_of<T>()},
                motors_of<T>(), {}, {}, {}};
-    if (flags)
-        f.name += ", nearest rotation";
+    f.name += flags == MW_NEAREST_ROTATION ? ", nearest rotation" : unchecked ? ", unchecked" : "";
     // The second input is the motor that the matrix was made of, for the judge.
-    f.draw = [layout](Random &random, void *const *inputs) {
+    f.draw = [layout, unchecked](Random &random, void *const *inputs) {
         using R = Wide<T>;
         Draw<T> draw(random);
         T *const matrix = static_cast<T *>(inputs[0]), *const motor = static_cast<T *>(inputs[1]);
         draw.unit_motor(motor);
         const auto exact = motor_of<R>(motor);
-        T offset[3];
-        draw.vector(offset, 3);
-        for (std::size_t row = 0; row < testing::numbers_of(layout); ++row)
-            matrix[row] = draw.number();
+        for (std::size_t k = 0; k < testing::numbers_of(layout); ++k)
+            matrix[k] = unchecked ? draw.number() : T(k == 15);
         for (std::size_t k = 0; k < 4; ++k) {
             const Vector<R> column = column_of(exact.r, static_cast<int>(k));
-            const T numbers[] = {k == 3 ? offset[0] : static_cast<T>(column.x), k == 3 ? offset[1] : static_cast<T>(column.y),
-                                 k == 3 ? offset[2] : static_cast<T>(column.z)};
+            T numbers[] = {static_cast<T>(column.x), static_cast<T>(column.y), static_cast<T>(column.z)};
+            if (k == 3)
+                draw.vector(numbers, 3);
             for (std::size_t row = 0; row < 3; ++row)
                 matrix[testing::place_in_matrix(layout, row, k)] = numbers[row];
         }
     };
     f.ways = {[layout, flags](const Call &call) {
         return C<T>::matrix_to_motor(view_of<Out<T>>(call.out), {first_of<T>(call.in[0]), call.in[0].stride, layout},
-                                     call.count, flags);
+                                     call.count, flags, nullptr);
     }};
     f.judge = [layout](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;
@@ -306,9 +308,9 @@ void add(Functions &functions)
     }
     for (const mw_matrix_layout layout : testing::all_matrix_layouts) {
         functions.push_back(motor_to_matrix<T>(layout));
-        functions.push_back(matrix_to_motor<T>(layout, MW_DEFAULT));
+        for (const unsigned flags : {unsigned(MW_DEFAULT), unsigned(MW_ROTATION_MATRICES), unsigned(MW_NEAREST_ROTATION)})
+            functions.push_back(matrix_to_motor<T>(layout, flags));
     }
-    functions.push_back(matrix_to_motor<T>(MW_MATRIX_ROWS_3X4, MW_NEAREST_ROTATION));
     functions.push_back(motor_to_translation<T>());
     functions.push_back(translation_to_motor<T>());
 }

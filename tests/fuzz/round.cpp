@@ -9,23 +9,26 @@ namespace motorway::fuzz {
 namespace {
 
 template <class T>
-bool is_nan(const char *number)
+T read(const char *number)
 {
     T value;
     std::memcpy(&value, number, sizeof value);
-    return std::isnan(value);
+    return value;
 }
 
-// The input that the results may take the place of, or none.
+double number_at(const char *number, std::size_t size)
+{
+    return size == sizeof(float) ? static_cast<double>(read<float>(number)) : read<double>(number);
+}
+
+// The input that the results lie over, or none.
 int in_place(const Function &function, testing::Random &random)
 {
     std::vector<int> candidates;
-    for (std::size_t k = 0; k < function.inputs.size(); ++k) {
-        const Stream &in = function.inputs[k], &out = function.output;
-        if (in.kind == out.kind && in.components == out.components && in.size == out.size)
+    for (std::size_t k = 0; k < function.inputs.size(); ++k)
+        if (function.inputs[k].kind != Stream::shared && function.inputs[k].size == function.output.size)
             candidates.push_back(static_cast<int>(k));
-    }
-    return candidates.empty() || random.chance(2) ? -1 : candidates[random.below(candidates.size())];
+    return candidates.empty() || random.chance(2) ? Memory::nowhere : candidates[random.below(candidates.size())];
 }
 
 // Elements [begin, begin + count) in some way, against the first results.
@@ -37,13 +40,12 @@ Outcome repeat(const Function &function, const Batch &batch, std::size_t begin, 
     const std::size_t last = streams.size() - 1, way = random.below(function.ways.size());
     const bool woven = random.chance(4);
     const int over = in_place(function, random);
-    Memory memory(random, streams, count, woven);
+    Memory memory(random, streams, count, woven, over);
     for (std::size_t k = 0; k < last; ++k) {
         const std::size_t element = streams[k].components * streams[k].size;
         memory.write(k, batch.inputs[k] + (streams[k].kind == Stream::shared ? 0 : begin * element));
     }
-    const std::size_t out = over < 0 ? last : static_cast<std::size_t>(over);
-    Call call{memory.place(out), {}, count, random};
+    Call call{memory.place(last), {}, count, random};
     for (std::size_t k = 0; k < last; ++k)
         call.in.push_back(memory.place(k));
     memory.remember();
@@ -58,16 +60,20 @@ Outcome repeat(const Function &function, const Batch &batch, std::size_t begin, 
     };
     if (status != MW_OK)
         return fail(0, mw_status_text(status));
-    if (!memory.changed_only(out))
+    if (!memory.changed_only(last))
         return fail(0, "bytes were written that are none of the results");
     const std::size_t components = function.output.components, size = function.output.size;
     std::vector<char> elements(count * components * size);
-    memory.read(out, elements.data());
+    memory.read(last, elements.data());
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t c = 0; c < components; ++c) {
             const std::size_t here = (i * components + c) * size, there = ((begin + i) * components + c) * size;
-            if (!same_number(&elements[here], &results.elements[there], size))
-                return fail(i, "other bits than alone");
+            if (!same_number(&elements[here], &results.elements[there], size)) {
+                char what[80];
+                std::snprintf(what, sizeof what, "other bits than alone: component %zu is %a", c,
+                              number_at(&elements[here], size));
+                return fail(i, what);
+            }
         }
     return outcome;
 }
@@ -78,7 +84,7 @@ bool same_number(const char *a, const char *b, std::size_t size)
 {
     if (std::memcmp(a, b, size) == 0)
         return true;
-    return size == sizeof(float) ? is_nan<float>(a) && is_nan<float>(b) : is_nan<double>(a) && is_nan<double>(b);
+    return std::isnan(number_at(a, size)) && std::isnan(number_at(b, size));
 }
 
 Outcome run(const Function &function, const Batch &batch, std::size_t count, std::uint64_t seed, Results &results)
