@@ -152,7 +152,7 @@ constexpr IndexType all_types[] = {
 
 void put(unsigned char *to, mw_index_type type, std::uint64_t index)
 {
-    for (int byte = 0; byte < type; ++byte, index >>= 8)
+    for (int byte = 0; byte < static_cast<int>(type); ++byte, index >>= 8)
         to[byte] = static_cast<unsigned char>(index);
 }
 
