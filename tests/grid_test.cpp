@@ -379,11 +379,14 @@ void test_large(const ApplyFunctions<T> &functions)
             const std::size_t n = count, m = motor_count, components = functions.components();
             Random random(11);
             std::vector<T> in(n * components), out(m * n * components), row(n * components);
+            // Zeros among them: what cancels shows by its sign in which order it was computed.
+            const auto zero = [&] { return random.chance(2) ? 0.0 : -0.0; };
             for (T &number : in)
-                number = static_cast<T>(random.uniform(-2, 2));
+                number = static_cast<T>(random.chance(3) ? zero() : random.uniform(-2, 2));
             std::vector<unsigned char> motors(m * functions.motor_size());
             for (std::size_t k = 0; k < m * 8; ++k) {
-                const double precise = random.uniform(-1, 1);
+                const bool rotates = k % 8 < 4;
+                const double precise = !rotates && random.chance(2) ? zero() : random.uniform(-1, 1);
                 const float single = static_cast<float>(precise);
                 std::memcpy(&motors[k * functions.motor_scalar],
                             functions.motor_scalar == sizeof single ? static_cast<const void *>(&single) : &precise,

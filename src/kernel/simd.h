@@ -52,6 +52,18 @@ template <class T> constexpr int width = static_cast<int>(sizeof(vector<T>) / si
 
 // ------------------------------------------------------------------------------------------------- arithmetic
 
+// -a where the compiler does not see what a is: where it fuses GCC makes -a b - c of -(a b + c), which is 0 and not -0 if
+// they cancel. The empty statement keeps it from that.
+template <class T> inline T negated(T a)
+{
+#if defined(__x86_64__) || defined(__i386__)
+    asm("" : "+x"(a));
+#elif defined(__aarch64__)
+    asm("" : "+w"(a));
+#endif
+    return -a;
+}
+
 // a b + c, c - a b and a b - c: one rounding where the instruction set fuses, two where it does not. Square roots
 // and the four operations are xsimd's.
 #if defined(MOTORWAY_ISA_scalar) || defined(MOTORWAY_ISA_sse2)
@@ -63,10 +75,10 @@ template <class V> inline V fms(const V &a, const V &b, const V &c) { return a *
 constexpr bool fuses = true;
 inline float fma(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
 inline double fma(double a, double b, double c) { return __builtin_fma(a, b, c); }
-inline float fnma(float a, float b, float c) { return __builtin_fmaf(-a, b, c); }
-inline double fnma(double a, double b, double c) { return __builtin_fma(-a, b, c); }
-inline float fms(float a, float b, float c) { return __builtin_fmaf(a, b, -c); }
-inline double fms(double a, double b, double c) { return __builtin_fma(a, b, -c); }
+inline float fnma(float a, float b, float c) { return __builtin_fmaf(negated(a), b, c); }
+inline double fnma(double a, double b, double c) { return __builtin_fma(negated(a), b, c); }
+inline float fms(float a, float b, float c) { return __builtin_fmaf(a, b, negated(c)); }
+inline double fms(double a, double b, double c) { return __builtin_fma(a, b, negated(c)); }
 
 using floats = vector<float>;
 using doubles = vector<double>;
@@ -86,27 +98,17 @@ inline doubles fnma(const doubles &a, const doubles &b, const doubles &c) { retu
 inline doubles fms(const doubles &a, const doubles &b, const doubles &c) { return _mm256_fmsub_pd(a, b, c); }
 #elif defined(MOTORWAY_ISA_neon64) // the accumulator comes first
 inline floats fma(const floats &a, const floats &b, const floats &c) { return vfmaq_f32(c, a, b); }
-inline floats fnma(const floats &a, const floats &b, const floats &c) { return vfmsq_f32(c, a, b); }
-inline floats fms(const floats &a, const floats &b, const floats &c) { return vfmaq_f32(vnegq_f32(c), a, b); }
 inline doubles fma(const doubles &a, const doubles &b, const doubles &c) { return vfmaq_f64(c, a, b); }
-inline doubles fnma(const doubles &a, const doubles &b, const doubles &c) { return vfmsq_f64(c, a, b); }
-inline doubles fms(const doubles &a, const doubles &b, const doubles &c) { return vfmaq_f64(vnegq_f64(c), a, b); }
+inline floats fnma(const floats &a, const floats &b, const floats &c) { return fma(negated(a.data), b, c); }
+inline doubles fnma(const doubles &a, const doubles &b, const doubles &c) { return fma(negated(a.data), b, c); }
+inline floats fms(const floats &a, const floats &b, const floats &c) { return fma(a, b, negated(c.data)); }
+inline doubles fms(const doubles &a, const doubles &b, const doubles &c) { return fma(a, b, negated(c.data)); }
 #endif
 #endif
 
-// The sign bit alone: 0 becomes -0, which is not what every version of xsimd makes of it, nor GCC where it fuses: it
-// makes -a b - c of -(a b + c), which is 0 and not -0 where they cancel. The empty statement keeps it from that.
-template <class T> inline T negate_scalar(T a)
-{
-#if defined(__x86_64__) || defined(__i386__)
-    asm("" : "+x"(a));
-#elif defined(__aarch64__)
-    asm("" : "+w"(a));
-#endif
-    return -a;
-}
-inline float negate(float a) { return negate_scalar(a); }
-inline double negate(double a) { return negate_scalar(a); }
+// The sign bit alone: 0 becomes -0, which is not what every version of xsimd makes of it.
+inline float negate(float a) { return negated(a); }
+inline double negate(double a) { return negated(a); }
 #if !defined(MOTORWAY_ISA_scalar)
 template <class T, class A> inline xsimd::batch<T, A> negate(const xsimd::batch<T, A> &a)
 {

@@ -107,9 +107,9 @@ Function motor_to_axis_angle()
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;
-        Verdict verdict;
+        Verdict verdict = of_any_length<T>();
         const T *const got = numbers<T>(out);
-        if (!legal_motor<T>(inputs[0]))
+        if (!usable_motor<T>(inputs[0]))
             return verdict;
         const auto motor = motor_of<R>(numbers<T>(inputs[0]));
         const R size = length(motor.r), sine = length(motor.r.v), angle = 2 * atan2(sine, abs(motor.r.w));
@@ -228,9 +228,9 @@ Function motor_to_euler(mw_euler_order order)
     }};
     f.judge = [order](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;
-        Verdict verdict;
+        Verdict verdict = of_any_length<T>();
         const T *const got = numbers<T>(out);
-        if (!legal_motor<T>(inputs[0]))
+        if (!usable_motor<T>(inputs[0]))
             return verdict;
         const auto motor = motor_of<R>(numbers<T>(inputs[0]));
         const bool same_axes = testing::axis_of(order, 0) == testing::axis_of(order, 2);
@@ -239,7 +239,7 @@ Function motor_to_euler(mw_euler_order order)
         verdict.require("second in its range", same_axes ? got[1] >= 0 && got[1] <= half : std::fabs(got[1]) <= quarter);
         // How far the second angle is from where the axes of the others meet, half of it.
         const R off = distance_from_lock(order, motor.r) / epsilon<T>();
-        near_rotation<T>(verdict, rotation_of(order, got), R(1 / length(motor.r)) * motor.r, off < R(10) ? 14 : 5);
+        near_rotation<T>(verdict, rotation_of(order, got), R(1 / length(motor.r)) * motor.r, off < R(10) ? 21 : 5);
         if (off < R(6))
             verdict.require("at gimbal lock the third angle is 0", got[2] == 0);
         near_translation(verdict, got + 3, motor);
@@ -293,9 +293,9 @@ Function motor_to_screw()
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;
-        Verdict verdict;
+        Verdict verdict = of_any_length<T>();
         const T *const got = numbers<T>(out);
-        if (!legal_motor<T>(inputs[0]))
+        if (!usable_motor<T>(inputs[0]))
             return verdict;
         const auto motor = motor_of<R>(numbers<T>(inputs[0]));
         const R angle = 2 * atan2(length(motor.r.v), abs(motor.r.w));
@@ -307,11 +307,12 @@ Function motor_to_screw()
         near_rotation<T>(verdict, turn_about(vector_of<R>(got), R(R(got[6]) / 2)), R(1 / length(motor.r)) * motor.r, 5);
         // What they move the origin by: (1 - R) p, and the distance along the axis.
         const Vector<R> a = vector_of<R>(got), p = vector_of<R>(got + 3);
-        const Motor<R> turned{turn_about(a, R(R(got[6]) / 2)), {}};
-        const Vector<R> moved = p - rotate(turned, p) + R(got[7]) * a, wrong = moved - translation(motor);
+        const Quaternion<R> q = turn_about(a, R(R(got[6]) / 2));
+        const Vector<R> c = cross(q.v, p);  // R p is p + 2 w v × p + 2 v × (v × p)
+        const Vector<R> moved = R(got[7]) * a - R(2) * (q.w * c + cross(q.v, c)), wrong = moved - translation(motor);
         const R size = reach(motor) + angle * length(p);
-        if (size * 16 < largest<T>()) {
-            const R lost = 16 * smallest<T>(), off_by = length(wrong);
+        if (size * headroom<T>() < largest<T>()) {
+            const R lost = 16 * footroom<T>() * smallest<T>(), off_by = length(wrong);
             const R error = off_by <= lost ? R(0) : R((off_by - lost) / (epsilon<T>() * size));
             verdict.at_most("translation", is_finite(error) ? static_cast<double>(error) : HUGE_VAL, 8);
         }

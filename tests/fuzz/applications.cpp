@@ -124,6 +124,15 @@ void draw_element(Random &random, Moved moved, T *components, std::size_t count)
 
 // ------------------------------------------------------------------------------------------------------ what is right
 
+template <class T>
+bool is_moderate(const T *numbers, std::size_t count)
+{
+    for (std::size_t k = 0; k < count; ++k)
+        if (abs(Wide<T>(numbers[k])) * headroom<T>() > largest<T>())
+            return false;
+    return true;
+}
+
 // Rounding errors are relative to the lengths of the terms: of what is turned its own, and how far the motor reaches.
 template <class T>
 void judge_moved(Verdict &verdict, Moved moved, const Motor<Wide<T>> &motor, const T *in, const T *out)
@@ -151,6 +160,8 @@ void judge_moved(Verdict &verdict, Moved moved, const Motor<Wide<T>> &motor, con
         break;
     }
     case Moved::vector: {
+        if (far * far * headroom<T>() > largest<T>())
+            break;
         const R e0 = in[0], ei = in[4];
         const Vector<R> middle = rotate(motor, vector_of<R>(in + 1));
         const R last = ei + dot(middle, t) + e0 * dot(t, t) / 2;
@@ -195,7 +206,7 @@ Verdict judge_mixed(const void *const *inputs, const void *out)
                                  static_cast<long double>(image.z)};
     // Two errors in one number of epsilons of float: that of the one rounding, and that of doubles.
     const Quad scale = length(image) / 2 + 5 * (epsilon<double>() / Quad(epsilon<float>())) * size;
-    if (size < largest<double>() / 16)
+    if (size * headroom<double>() < largest<double>())
         verdict.near("point", numbers<float>(out), right, 3, static_cast<long double>(scale), 1.01);
     return verdict;
 }
@@ -231,13 +242,13 @@ Function application(Moved moved, Pairing pairing, unsigned flags)
         f.ways = {[=](const Call &call) { return applying.each(call); },
                   [=](const Call &call) { return applying.by_indices(call); }};
     f.judge = [=](const void *const *inputs, const void *out, bool) {
-        Verdict verdict;
-        if (!legal_motor<M>(inputs[0]))
+        Verdict verdict = flags ? Verdict() : of_any_length<T>();
+        if (!usable_motor<M>(inputs[0]))
             return verdict;
         if constexpr (mixed) {
             return judge_mixed(inputs, out);
         } else {
-            if (judgeable<T>(inputs[1], components))
+            if (judgeable<T>(inputs[1], components) && is_moderate(numbers<T>(inputs[1]), components))
                 judge_moved<T>(verdict, moved, motor_of<Wide<T>>(numbers<T>(inputs[0])), numbers<T>(inputs[1]),
                                numbers<T>(out));
             return verdict;

@@ -79,17 +79,16 @@ template <class T>
 Verdict judge_log(const void *const *inputs, const void *out, bool fuses, Given given)
 {
     using R = Wide<T>;
-    if (!legal_motor<T>(inputs[0]))
+    if (!usable_motor<T>(inputs[0]))
         return {};
     const Motor<R> motor = motor_of<R>(numbers<T>(inputs[0]));
     const auto judge = [&](const Motor<R> &right) {
-        Verdict verdict;
+        Verdict verdict = given == Given::unit ? Verdict() : of_any_length<T>();
         // The shortest logarithm of the motor with s >= 0; of the other one, with s = 0 or -0, its opposite.
         const Motor<R> b = log(right.r.w < 0 ? R(-1) * right : right, Way::principal);
-        const double more = given == Given::unit ? 0 : 0.5;
-        near_bivector(verdict, numbers<T>(out), b, length(b.r.v), 1.5 + more,
-                      given == Given::unit ? length(b.d.v) : larger(length(b.d.v), reach(motor) / 2),
-                      Bound(2.5, 3).of(fuses) + more);
+        const bool unit = given == Given::unit;
+        near_bivector(verdict, numbers<T>(out), b, length(b.r.v), unit ? 1.5 : 2,
+                      unit ? length(b.d.v) : larger(length(b.d.v), reach(motor) / 2), unit ? Bound(2.5, 3).of(fuses) : 4);
         return verdict;
     };
     return motor.r.w == 0 ? either_sign<T>(motor, judge) : judge(motor);
@@ -99,12 +98,12 @@ template <class T>
 Verdict judge_log_principal(const void *const *inputs, const void *out, bool fuses, Given given)
 {
     using R = Wide<T>;
-    if (!legal_motor<T>(inputs[0]))
+    if (!usable_motor<T>(inputs[0]))
         return {};
     const Motor<R> motor = motor_of<R>(numbers<T>(inputs[0]));
     const R sine = length(motor.r.v) / length(motor.r);
     const auto judge = [&](Way way) {
-        Verdict verdict;
+        Verdict verdict = given == Given::unit ? Verdict() : of_any_length<T>();
         const Motor<R> b = log(motor, way);
         const bool unit = given == Given::unit, beyond = motor.r.w < 0 && way == Way::principal;
         // What is w depends on the moment by the sine, unless there is a pseudoscalar part in it.
@@ -195,7 +194,9 @@ Function power_of()
                                         call.in[1].stride, call.count);
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
-        if (!judgeable<T>(inputs[0], 8) || !judgeable<T>(inputs[1], 1))
+        // An angle that is not finite is none.
+        if (!judgeable<T>(inputs[0], 8) || !judgeable<T>(inputs[1], 1) ||
+            abs(Wide<T>(*numbers<T>(inputs[1]))) * 4 > largest<T>())
             return Verdict();
         const auto motor = motor_of<Wide<T>>(numbers<T>(inputs[0]));
         return judge_power<T>(motor, Wide<T>(*numbers<T>(inputs[1])), numbers<T>(out), 3, 3);

@@ -67,6 +67,8 @@ Verdict judge_slerp(const Motor<Wide<T>> &first, const Motor<Wide<T>> &end, Wide
     const bool within = t >= 0 && t <= 1, near = t >= -1 && t <= 2;
     const R times = larger(R(1), abs(t));
     if (far) {
+        if (abs(t) * 8 > largest<T>())  // an angle that is not finite
+            return verdict;
         unit_motor(verdict, out);
         const R sine = sqrt(larger(sine_square, epsilon<T>() * epsilon<T>()));
         if (sine_square < R(0.0025))  // nearer than 0.1 rad: nothing is promised yet
@@ -90,7 +92,7 @@ Verdict judge_nlerp(const Motor<Wide<T>> &first, const Motor<Wide<T>> &end, Wide
     Verdict verdict;
     const Motor<R> sum = lerp(first, end, t), right = normalized(sum);
     const R gain = (abs(R(1 - t)) + abs(t)) / length(sum.r);  // by which rounding errors grow where the two cancel
-    if (!(gain < R(2)))
+    if (!(gain < R(2)) || length(sum.r) * (length(sum.r) + length(sum.d)) * 16 > largest<T>())
         return verdict;
     unit_motor(verdict, out);
     near_motor(verdict, out, right, R(gain), 1.5, R(larger(length(first.d), length(end.d)) * gain * gain), 2.5);

@@ -80,12 +80,26 @@ bool legal_motor(const void *input)
     return judgeable<T>(input, 8) && Draw<T>::legal(numbers<T>(input));
 }
 
+// Of what motors of any length do.
+template <class T>
+Verdict of_any_length()
+{
+    return {static_cast<long double>(headroom<T>()), static_cast<long double>(footroom<T>())};
+}
+
 // How far a motor that need not be normalised moves the origin, twice the size of its halves: at least that, and what
 // its pseudoscalar part adds to what cancels.
 template <class R>
 R reach(const Motor<R> &m)
 {
     return 2 * length(m.d) / length(m.r);
+}
+
+// Legal, and not so far away that formulas overflow on the way.
+template <class T>
+bool usable_motor(const void *input)
+{
+    return legal_motor<T>(input) && reach(motor_of<Wide<T>>(numbers<T>(input))) * headroom<T>() <= largest<T>();
 }
 
 }  // namespace motorway::fuzz

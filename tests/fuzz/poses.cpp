@@ -56,8 +56,8 @@ Function motor_to_pose()
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;
-        Verdict verdict;
-        if (!legal_motor<T>(inputs[0]))
+        Verdict verdict = of_any_length<T>();
+        if (!usable_motor<T>(inputs[0]))
             return verdict;
         const auto motor = motor_of<R>(numbers<T>(inputs[0]));
         const Quaternion<R> q = R(1 / length(motor.r)) * motor.r;
@@ -160,8 +160,8 @@ Function motor_to_matrix(mw_matrix_layout layout)
     }};
     f.judge = [layout](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;
-        Verdict verdict;
-        if (!legal_motor<T>(inputs[0]))
+        Verdict verdict = of_any_length<T>();
+        if (!usable_motor<T>(inputs[0]))
             return verdict;
         const auto motor = motor_of<R>(numbers<T>(inputs[0]));
         const auto near_column = [&](const char *what, std::size_t k, const Vector<R> &right, R scale) {
@@ -212,7 +212,7 @@ Function matrix_to_motor(mw_matrix_layout layout, unsigned flags)
         return C<T>::matrix_to_motor(view_of<Out<T>>(call.out), {first_of<T>(call.in[0]), call.in[0].stride, layout},
                                      call.count, flags, nullptr);
     }};
-    f.judge = [layout](const void *const *inputs, const void *out, bool) {
+    f.judge = [layout, flags](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;
         const auto motor = motor_of<R>(numbers<T>(inputs[1]));
         const T *const matrix = numbers<T>(inputs[0]);
@@ -221,7 +221,7 @@ Function matrix_to_motor(mw_matrix_layout layout, unsigned flags)
         const auto judge = [&](R sign) {
             Verdict verdict;
             near_pose<T>(verdict, numbers<T>(out), R(sign / length(motor.r)) * motor.r, t, 3, 4);
-            unit_motor(verdict, numbers<T>(out));
+            unit_motor(verdict, numbers<T>(out), flags == MW_NEAREST_ROTATION ? 6 : 4);
             return verdict;
         };
         const Verdict verdict = judge(motor.r.w < 0 ? R(-1) : R(1));
@@ -241,8 +241,8 @@ Function motor_to_translation()
         return C<T>::motor_to_translation(view_of<typename Api<T>::Xyz>(call.out), view_of<In<T>>(call.in[0]), call.count);
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
-        Verdict verdict;
-        if (legal_motor<T>(inputs[0]))
+        Verdict verdict = of_any_length<T>();
+        if (usable_motor<T>(inputs[0]))
             near_translation<T>(verdict, numbers<T>(out), motor_of<Wide<T>>(numbers<T>(inputs[0])));
         return verdict;
     };

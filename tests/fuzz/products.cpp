@@ -12,10 +12,9 @@ using In = typename Api<T>::ConstMotors;
 // Rounding errors of a product are relative to the products of the sizes of what is multiplied.
 template <class T>
 Verdict judge_product(const Motor<Wide<T>> &first, const Motor<Wide<T>> &then, const void *out, double rotation_bound,
-                      double translation_bound)
+                      double translation_bound, Verdict verdict = {})
 {
     using R = Wide<T>;
-    Verdict verdict;
     const R translation = length(first.r) * length(then.d) + length(first.d) * length(then.r);
     near_motor(verdict, numbers<T>(out), compose(first, then), length(first.r) * length(then.r), rotation_bound,
                translation, translation_bound, R(16));
@@ -104,8 +103,12 @@ Function ratio(unsigned flags)
         if (!legal_motor<T>(inputs[0]) || !legal_motor<T>(inputs[1]))
             return Verdict();
         const auto from = motor_of<R>(numbers<T>(inputs[0])), to = motor_of<R>(numbers<T>(inputs[1]));
+        // What is brought near 1 are motors to come from, and not those to come to.
+        const R size = (1 + reach(from)) * length(to.r) + length(to.d);
+        if (!flags && (!usable_motor<T>(inputs[0]) || size * headroom<T>() > largest<T>()))
+            return Verdict();
         return flags ? judge_product<T>(conjugate(from), to, out, 1.5, 2.5)
-                     : judge_product<T>(inverse(from), to, out, 4, 8);
+                     : judge_product<T>(inverse(from), to, out, 4, 8, of_any_length<T>());
     };
     return f;
 }
@@ -125,7 +128,7 @@ Function of_one(const char *name, mw_status (*call_it)(Out<T>, In<T>, std::size_
         return call_it(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]), call.count);
     }};
     f.judge = [judge](const void *const *inputs, const void *out, bool) {
-        return legal_motor<T>(inputs[0]) ? judge(motor_of<Wide<T>>(numbers<T>(inputs[0])), numbers<T>(out)) : Verdict();
+        return usable_motor<T>(inputs[0]) ? judge(motor_of<Wide<T>>(numbers<T>(inputs[0])), numbers<T>(out)) : Verdict();
     };
     return f;
 }
@@ -144,12 +147,12 @@ void add(Functions &functions)
         return verdict;
     }));
     functions.push_back(of_one<T>("inverse", Api<T>::inverse_motor_each, [](const Motor<R> &m, const T *out) {
-        Verdict verdict;
+        Verdict verdict = of_any_length<T>();
         near_motor(verdict, out, inverse(m), 1 / length(m.r), 3, length(m.d) / alpha(m), 9);
         return verdict;
     }));
     functions.push_back(of_one<T>("normalize", Api<T>::normalize_motor_each, [](const Motor<R> &m, const T *out) {
-        Verdict verdict;
+        Verdict verdict = of_any_length<T>();
         unit_motor(verdict, out);
         near_motor(verdict, out, normalized(m), R(1), 1.5, reach(m) / 2, 4);
         return verdict;

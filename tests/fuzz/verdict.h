@@ -18,6 +18,10 @@ struct Finding {
 
 class Verdict {
 public:
+    Verdict() = default;
+    // By what factor scales must stay below the largest number to be judged, and how much more of the smallest is lost.
+    Verdict(long double headroom, long double footroom) : headroom_(headroom), footroom_(footroom) {}
+
     // That `count` numbers are the right ones: the length of their difference in epsilons of `scale`, beside what underflow
     // makes: `lost` of the smallest numbers. Where what is right nearly overflows, or its terms do, it may be anything.
     template <class T>
@@ -27,12 +31,12 @@ public:
         using R = Wide<T>;
         for (std::size_t k = 0; k < count && right_.size() < 16; ++k)
             right_.push_back(static_cast<long double>(right[k]));
-        if (scale * 16 > largest<T>())
+        if (scale * static_cast<R>(headroom_) > largest<T>())
             return;
         R sum = 0;
         for (std::size_t k = 0; k < count; ++k) {
             const R difference = abs(R(R(numbers[k]) - right[k]));
-            if (!(difference <= lost * smallest<T>()))
+            if (!(difference <= lost * static_cast<R>(footroom_) * smallest<T>()))
                 sum += difference * difference;
         }
         const R error = sum == 0 ? R(0) : scale == 0 ? largest<T>() : R(sqrt(sum) / (epsilon<T>() * scale));
@@ -63,6 +67,7 @@ public:
     static const Verdict &better(const Verdict &a, const Verdict &b) { return b.badness() < a.badness() ? b : a; }
 
 private:
+    long double headroom_ = 16, footroom_ = 1;
     std::vector<Finding> findings_;
     std::vector<long double> right_;
 };

@@ -85,6 +85,20 @@ Wide<T> largest()
     return std::numeric_limits<T>::max();
 }
 
+// Where motors may have any length formulas take α times lengths, and the library leaves an α as it is that is no further
+// from 1 than 2^20, in double 2^200. By how much lengths must stay below the largest number, and by how much more than
+// usual is lost of those near the smallest.
+template <class T>
+Wide<T> headroom()
+{
+    return scaled(Wide<T>(1), sizeof(T) == 4 ? 26 : 208);
+}
+template <class T>
+Wide<T> footroom()
+{
+    return scaled(Wide<T>(1), sizeof(T) == 4 ? 22 : 202);
+}
+
 }  // namespace motorway::fuzz
 
 #endif
