@@ -587,7 +587,8 @@ mw_status mw_sqrt_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, 
 mw_status mw_sqrt_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
 
 /* out[i] = exp(t log S), the power t = exponents[i] of S = motors[i], which must be normalised, by its shortest
- * logarithm. exponents[i] is at byte offset i * exponent_stride; exponent_stride 0: one exponent for all.
+ * logarithm: for every t for which t times that is finite. exponents[i] is at byte offset i * exponent_stride;
+ * exponent_stride 0: one exponent for all.
  * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_power_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, const float *exponents,
                                   size_t exponent_stride, size_t count);
@@ -617,8 +618,9 @@ mw_status mw_slerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, c
 
 /* out[i] = (1-t) first[i] ± t second[i], normalised ("method 1" of the lecture notes; equation (5) of the paper): the
  * same poses at both ends and almost the same path as slerp, at less than half the cost and at a speed that is not
- * constant. Both normalised; for every t. The long way (MW_LONG_WAY) is the sum with the other sign, which is
- * degenerate where the two cancel: halfway between equal poses. mw_blend_motor_* is the same without normalising.
+ * constant. Both normalised; for every t of which the square, times the translations, is finite. The long way
+ * (MW_LONG_WAY) is the sum with the other sign, which is degenerate where the two cancel: halfway between equal poses.
+ * mw_blend_motor_* is the same without normalising.
  * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS. */
 mw_status mw_nlerp_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 first, mw_const_motors_f32 second,
                                   const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
