@@ -74,9 +74,10 @@ MOTORWAY_CONVERT_BY(motor_to_rows_3x4, motor_to_matrix, {op::rows_3x4}, {op::mot
 MOTORWAY_CONVERT_BY(motor_to_rows_4x4, motor_to_matrix, {op::rows_4x4}, {op::motor})
 MOTORWAY_CONVERT_BY(motor_to_columns_3x4, motor_to_matrix, {op::columns_3x4}, {op::motor})
 MOTORWAY_CONVERT_BY(motor_to_columns_4x4, motor_to_matrix, {op::columns_4x4}, {op::motor})
-MOTORWAY_CONVERT_BY(rows_3x4_to_motor, matrix_to_motor, {op::motor}, {op::rows_3x4})
-MOTORWAY_CONVERT_BY(columns_3x4_to_motor, matrix_to_motor, {op::motor}, {op::columns_3x4})
-MOTORWAY_CONVERT_BY(columns_4x4_to_motor, matrix_to_motor, {op::motor}, {op::columns_4x4})
+// The kernels alone: by default matrices are looked at first, which costs more.
+MOTORWAY_CONVERT_BY(rows_3x4_to_motor, matrix_to_motor, {op::motor}, {op::rows_3x4}, {MW_ROTATION_MATRICES})
+MOTORWAY_CONVERT_BY(columns_3x4_to_motor, matrix_to_motor, {op::motor}, {op::columns_3x4}, {MW_ROTATION_MATRICES})
+MOTORWAY_CONVERT_BY(columns_4x4_to_motor, matrix_to_motor, {op::motor}, {op::columns_4x4}, {MW_ROTATION_MATRICES})
 MOTORWAY_CONVERT(motor_to_axis_angle, {op::axis_angle, op::translation}, {op::motor})
 MOTORWAY_CONVERT(axis_angle_to_motor, {op::motor}, {op::axis_angle, op::translation})
 MOTORWAY_CONVERT(motor_to_euler, {op::euler_angles, op::translation}, {op::motor})

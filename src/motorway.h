@@ -683,19 +683,19 @@ mw_status mw_convert_matrix_to_motor_each_f32(mw_motors_f32 out, mw_const_matric
 mw_status mw_convert_matrix_to_motor_each_f64(mw_motors_f64 out, mw_const_matrices_f64 matrices, size_t count,
                                               unsigned flags, size_t *first_bad);
 
-/* One pass over the matrices: MW_ERROR_MATRIX if one is further from a rotation than `tolerance`, and then *first_bad is
- * the number of the first such. Its distance is the largest element of |RᵀR - 1|, and of 4 x 4 matrices also of |w - 1|
- * of the last number w of the last row. It is infinite if R is a reflection, if the last row does not begin with three
- * zeros (to 16 epsilons: the matrix projects) or if any number is not finite. *deviation is the largest distance of
- * all. Both pointers may be null.
+/* One pass over the matrices: MW_ERROR_MATRIX if one is further from a rotation than `tolerance`, and then *first_bad
+ * is the number of the first such. Its distance is the largest element of |RᵀR - 1|; of 4 x 4 matrices also how far
+ * the last number is from 1. It is infinite if R is a reflection, if the last row does not begin with three zeros (to
+ * 16 epsilons: the matrix projects) or if any number is not finite. *deviation is the largest distance of all. Both
+ * pointers may be null.
  * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_MATRIX_LAYOUT. */
 mw_status mw_check_matrices_f32(mw_const_matrices_f32 matrices, size_t count, float tolerance, size_t *first_bad,
                                 float *deviation);
 mw_status mw_check_matrices_f64(mw_const_matrices_f64 matrices, size_t count, double tolerance, size_t *first_bad,
                                 double *deviation);
 
-/* Axis and angle, and translations: x y z is the axis through the origin, and w the angle, of any finite size. THE AXIS MUST
- * HAVE LENGTH 1, which is not looked at: with another length a it turns by another angle φ, tan φ/2 = a tan θ/2.
+/* Axis and angle, and translations: x y z is the axis through the origin, and w the angle, of any finite size. THE AXIS
+ * MUST HAVE LENGTH 1, which is not looked at: with another length a it turns by another angle φ, tan φ/2 = a tan θ/2.
  * (mw_rotation takes an axis of any length.) From motors come angles in [0, π]; where it is 0, the axis is z. */
 mw_status mw_convert_motor_to_axis_angle_each_f32(mw_xyzw_f32 rotations, mw_xyz_f32 translations,
                                                   mw_const_motors_f32 motors, size_t count);

@@ -95,7 +95,8 @@ template <class T, bool has_last_row> bool are_surely_rotations(const lane_numbe
         good &= int(ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx) > 0);
         good &= within((tx - tx) + (ty - ty) + (tz - tz), 0); // NaN if one is not finite
         if constexpr (has_last_row)
-            good &= within(m.last[0][lane], projection_tolerance<T>) & within(m.last[1][lane], projection_tolerance<T>) &
+            good &= within(m.last[0][lane], projection_tolerance<T>) &
+                    within(m.last[1][lane], projection_tolerance<T>) &
                     within(m.last[2][lane], projection_tolerance<T>) & within(m.last[3][lane] - 1, most);
         bad[lane] = good ? T(0) : T(1);
     }

@@ -295,7 +295,8 @@ MOTORWAY_INLINE bool is_usual_in_place(const view<E, N> &out, const view<const T
 
 // The output may lie over the input.
 template <class E, class T, int N, int M>
-MOTORWAY_INLINE bool is_usual(const view<E, N> &out, const byte_range &out_range, const view<const T, M> &in, std::size_t count)
+MOTORWAY_INLINE bool is_usual(const view<E, N> &out, const byte_range &out_range, const view<const T, M> &in,
+                              std::size_t count)
 {
     const byte_range in_range = usual_range(in, count);
     if (out_range.end == 0 || in_range.end == 0)

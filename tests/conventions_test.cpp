@@ -269,7 +269,7 @@ constexpr const char *euler_orders[] = {"XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"
 TEST(ConventionsTest, euler_angles_are_about_axes_that_turn_along)
 {
     Random random(6);
-    for (int order = MW_EULER_XYZ; order <= MW_EULER_ZYZ; ++order) {
+    for (int order = MW_EULER_XYZ; order <= int(MW_EULER_ZYZ); ++order) {
         const char *const axes = euler_orders[order];
         const Vector angles = draw_vector(random);
         const Quaternion rotation = about(axes[0], angles[0]) * about(axes[1], angles[1]) * about(axes[2], angles[2]);
@@ -720,7 +720,7 @@ TEST(ConventionsTest, blender)
 
     // An Euler of order 'XYZ' is about fixed axes, x first.
     Random random(45);
-    for (int order = MW_EULER_XYZ; order <= MW_EULER_ZYX; ++order) {
+    for (int order = MW_EULER_XYZ; order <= int(MW_EULER_ZYX); ++order) {
         const char *const axes = euler_orders[order];
         const Vector euler = draw_vector(random);  // x y z, whatever the order
         double angles[3];

@@ -295,8 +295,9 @@ std::array<reference::Real, 4> quaternion_of(const At &at)
     return q;
 }
 
-// The kernels, which look at no matrix: matrices_test.cpp has what does. Half turns are in convert_test.cpp: there rounding decides which of the two motors it is. The matrix itself has
-// been rounded, and the rows of 4qqᵀ differ by that; any of them that has a large diagonal may have been taken.
+// The kernels, which look at no matrix: matrices_test.cpp has what does. Half turns are in convert_test.cpp: there
+// rounding decides which of the two motors it is. The matrix itself has been rounded, and the rows of 4qqᵀ differ by
+// that; any of them that has a large diagonal may have been taken.
 template <class T>
 Conversion<T> matrix_to_motor(const char *name, mw_matrix_layout layout)
 {

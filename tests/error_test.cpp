@@ -20,7 +20,7 @@ namespace {
 TEST(StatusText, every_status_has_a_line_of_its_own)
 {
     std::set<std::string> texts;
-    for (int status = MW_OK; status <= MW_ERROR_ISA; ++status) {
+    for (int status = MW_OK; status <= int(MW_ERROR_ISA); ++status) {
         const char *text = mw_status_text(static_cast<mw_status>(status));
         ASSERT_NE(text, nullptr) << status;
         EXPECT_GT(std::strlen(text), 3u) << status;

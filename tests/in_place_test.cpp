@@ -55,7 +55,8 @@ public:
             (slots.kind == Slots::Kind::arrays ? 1 : slots.number) * sizeof(T) + slots.gap;
         memory_.assign(slots.number * stride * std::max<std::size_t>(count, 1), 0x5a);
         const auto slot = [&](std::size_t s) {
-            return reinterpret_cast<T *>(memory_.data() + s * (slots.kind == Slots::Kind::arrays ? stride * count : sizeof(T)));
+            return reinterpret_cast<T *>(memory_.data() +
+                                         s * (slots.kind == Slots::Kind::arrays ? stride * count : sizeof(T)));
         };
         std::vector<View<T>> inputs(pool_.operands.size());
         std::size_t next = 0;
@@ -107,7 +108,8 @@ private:
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t c = 0; c < out.component.size(); ++c) {
                 T result;
-                std::memcpy(&result, reinterpret_cast<unsigned char *>(out.component[c]) + i * out.stride, sizeof result);
+                std::memcpy(&result, reinterpret_cast<unsigned char *>(out.component[c]) + i * out.stride,
+                            sizeof result);
                 ASSERT_TRUE(same(result, pool_.result(i)[c])) << name_ << ": element " << i << ", component " << c;
             }
     }
@@ -245,10 +247,12 @@ TYPED_TEST(InPlaceConversionTest, matrices_over_their_motors)
             EXPECT_TRUE(std::equal(&memory[16 * i], &memory[16 * i] + numbers_of(layout), &matrices[16 * i]));
         for (unsigned flags : {unsigned(MW_DEFAULT), unsigned(MW_NEAREST_ROTATION), unsigned(MW_ROTATION_MATRICES)}) {
             memory = matrices;
-            ASSERT_EQ(C::matrix_to_motor(Api<T>::motors_aos(alone(back), sizeof(Motor)), {matrices.data(), stride, layout},
-                                         count, flags, nullptr), MW_OK);
+            ASSERT_EQ(C::matrix_to_motor(Api<T>::motors_aos(alone(back), sizeof(Motor)),
+                                         {matrices.data(), stride, layout}, count, flags, nullptr),
+                      MW_OK);
             ASSERT_EQ(C::matrix_to_motor(Api<T>::motors_aos(slots(), stride), {memory.data(), stride, layout}, count,
-                                         flags, nullptr), MW_OK);
+                                         flags, nullptr),
+                      MW_OK);
             for (std::size_t i = 0; i < count; ++i)
                 EXPECT_TRUE(std::equal(&back[8 * i], &back[8 * i] + 8, &memory[16 * i])) << flags;
         }

@@ -96,11 +96,10 @@ Converted<T> convert(const std::vector<Matrix> &matrices, mw_matrix_layout layou
 {
     Converted<T> result{MW_OK, 77, std::vector<T>(8 * matrices.size(), T(7))};
     const std::vector<T> in = numbers<T>(matrices, layout);
-    result.status =
-        ConvertApi<T>::matrix_to_motor(Api<T>::motors_aos(reinterpret_cast<typename Api<T>::Motor *>(result.motors.data()),
-                                                          sizeof(T[8])),
-                                       {in.data(), numbers_of(layout) * sizeof(T), layout}, matrices.size(), flags,
-                                       &result.first_bad);
+    auto *const motors = reinterpret_cast<typename Api<T>::Motor *>(result.motors.data());
+    result.status = ConvertApi<T>::matrix_to_motor(Api<T>::motors_aos(motors, sizeof *motors),
+                                                   {in.data(), numbers_of(layout) * sizeof(T), layout},
+                                                   matrices.size(), flags, &result.first_bad);
     return result;
 }
 

@@ -1,4 +1,5 @@
-// What api.cpp and the kernels say to each other: plain data, no functions, so that nothing of it is linked twice.
+// What api.cpp and the kernels say to each other: plain data, no functions that a kernel calls, so that nothing of it
+// is linked twice.
 #pragma once
 
 #include "../strict_math.h"
@@ -30,14 +31,14 @@ struct index_stream {
 };
 
 // One call of a kernel, validated. T is what it computes in, and E what the elements are made of: float in mixed
-// calls, else T. Streams are in the order of the kernel's formula. Begin with braces, which leave no field unset: a
-// kernel may read any of them, whatever its pairing.
+// calls, else T. Streams are in the order of the kernel's formula. No field is ever unset: a kernel may read any of
+// them, whatever its pairing.
 template <class T, class E = T> struct call {
     const stream<E> *out;      // one an output
     const stream<const E> *in; // one an input; of a blend the weights, and then the controls of each term
     std::size_t count;
-    const T *fixed = nullptr; // what all elements share: the motor of `one`, a shift, or the controls of a blend
-    bool streaming = false;   // `apply`: results may go past the caches, where they can. Whoever sets it fences
+    const T *fixed; // what all elements share: the motor of `one`, a shift, or the controls of a blend
+    bool streaming; // `apply`: results may go past the caches, where they can. Whoever sets it fences
 
     std::size_t terms = 0;       // of a blend
     stream<const T> motors = {}; // `each`: of every element; `grid`: of every row
@@ -45,6 +46,13 @@ template <class T, class E = T> struct call {
     index_stream indices = {};   // `indexed`
     std::size_t rows = 0;        // `grid`: how many motors
     std::size_t row_stride = 0;  // `grid`: bytes from a motor's results to those of the next
+
+    // Field by field: what is cleared as a whole is cleared by `rep stos`, which shows in the time of a small batch.
+    call(const stream<E> *to, const stream<const E> *from, std::size_t elements, const T *shared = nullptr,
+         bool past_caches = false)
+        : out(to), in(from), count(elements), fixed(shared), streaming(past_caches)
+    {
+    }
 };
 
 template <class T, class E = T> using kernel = void (*)(const call<T, E> &);
