@@ -23,7 +23,7 @@ using Indices = std::vector<std::uint32_t>;
 
 Pose at_rest(const Mesh &mesh)
 {
-    return {mesh.positions, mesh.normals, mesh.tangents, mesh.bitangents};
+    return {mesh.positions, mesh.normals, mesh.tangents, mesh.bitangents, mesh.face_normals};
 }
 
 TEST(Obj, ReadsEveryFormOfACorner)

@@ -82,7 +82,7 @@ TEST(ObjRoundTrip, JoinsNumbersThatABackslashParts)
 TEST(ObjRoundTrip, WritesEveryDigit)
 {
     const Mesh mesh = read_obj("v 388096.123 3948996.456 0.1\nv 1e-300 4e-320 1e300\n", "test");
-    const Pose pose = {mesh.positions, {}, {}, {}};
+    const Pose pose = {mesh.positions, {}, {}, {}, {}};
     EXPECT_EQ(write_posed(mesh, pose, ".obj"), "v 388096.123 3948996.456 0.1\nv 1e-300 4e-320 1e+300\n");
 }
 
@@ -122,6 +122,19 @@ TEST(PlyRoundTrip, MovesTangentsAndNoOtherVectors)
                                "property float vz\nproperty float nx\nproperty float nz\nend_header\n";
     EXPECT_EQ(posed_ply(header + "1 2 3 4 5 6 -1 1 1 1 7 8 9 1 1\n"),
               header + "9 18 33 -4 -5 6 -1 -1 -1 1 7 8 9 1 1\n");
+}
+
+TEST(PlyRoundTrip, MovesTheNormalsOfFaces)
+{
+    const std::string before = std::string("ply\nformat ascii 1.0\nelement face 2\nproperty float nx\n"
+                                           "property list uchar int vertex_indices\nproperty float ny\n"
+                                           "property char nz\n") +
+                               PLY_VERTEX + "end_header\n1 2 0 1 2 3\n4 2 1 0 5 6\n1 2 3\n4 5 6\n";
+    const std::string after = std::string("ply\nformat ascii 1.0\nelement face 2\nproperty float nx\n"
+                                    "property list uchar int vertex_indices\nproperty float ny\n"
+                                    "property double nz\n") +
+                        PLY_VERTEX + "end_header\n-1 2 0 1 -2 3\n-4 2 1 0 -5 6\n9 18 33\n6 15 36\n";
+    EXPECT_EQ(posed_ply(before), after);
 }
 
 TEST(PlyRoundTrip, KeepsLineEnds)

@@ -29,6 +29,7 @@ struct Mesh {
     std::vector<double> positions;            /* x y z a vertex */
     std::vector<double> normals;              /* x y z a normal */
     std::vector<double> tangents, bitangents; /* x y z a vertex, or empty */
+    std::vector<double> face_normals;         /* x y z a face of the file, or empty */
     bool in_double = false;                   /* they are doubles in the file, or some of them */
 
     std::vector<float> tangent_signs; /* 1 or -1 a vertex, or empty */
@@ -59,7 +60,7 @@ struct Mesh {
 
 /* A Mesh in a pose: the numbers that are written instead of its own. */
 struct Pose {
-    std::vector<double> positions, normals, tangents, bitangents;
+    std::vector<double> positions, normals, tangents, bitangents, face_normals;
 };
 
 /* A file that was read as a mesh, and is kept to be written again. */

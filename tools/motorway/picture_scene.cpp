@@ -104,14 +104,22 @@ std::vector<std::array<Vec3, 4>> control_frames(const Motion &motion, const std:
     return frames;
 }
 
-/* Of a cloud, at most so many of its points, spread evenly over the file. */
-std::vector<std::uint32_t> drawn_points(const Mesh &mesh, std::size_t most)
+/* How many of `count` things must be passed over for each that is drawn, so that at most so many are. */
+std::size_t step_between(std::size_t count, std::size_t most)
 {
-    std::vector<std::uint32_t> points;
-    const std::size_t step = mesh.vertex_count() / most + 1;
-    for (std::size_t vertex = 0; vertex < mesh.vertex_count() && mesh.is_cloud(); vertex += step)
-        points.push_back(static_cast<std::uint32_t>(vertex));
-    return points;
+    return (count + most - 1) / most;
+}
+
+/* Of a cloud some of its points, and of other meshes some of their lines, spread evenly over the file. */
+void choose_points_and_lines(Scene &scene, const Mesh &mesh, std::size_t most)
+{
+    const std::size_t point_step = step_between(mesh.vertex_count(), most);
+    for (std::size_t vertex = 0; vertex < mesh.vertex_count() && mesh.is_cloud(); vertex += point_step)
+        scene.points.push_back(static_cast<std::uint32_t>(vertex));
+    const std::size_t line_step = step_between(mesh.lines.size(), most);
+    for (std::size_t line = 0; line < mesh.lines.size(); line += line_step)
+        scene.lines.push_back(mesh.lines[line]);
+    scene.simplified = line_step > 1 || (mesh.is_cloud() && point_step > 1);
 }
 
 } // namespace
@@ -141,10 +149,8 @@ Scene make_scene(const Mesh &whole, const Motion &motion, std::size_t pose_count
     scene.figures = pose_figures(mesh, motion, pose_count, path);
     const std::array<double, 3> origin = far_origin(mesh);
     scene.path = trace(sample(motion, even_parameters(motion, PATH_STEPS + 1), path), origin);
-    scene.lines = mesh.lines;
-    scene.points = drawn_points(mesh, MOST_DRAWN / pose_count);
-    scene.simplified = mesh.face_count() < whole.face_count() ||
-                       (whole.is_cloud() && scene.points.size() < whole.vertex_count());
+    choose_points_and_lines(scene, mesh, MOST_DRAWN / pose_count);
+    scene.simplified = scene.simplified || mesh.face_count() < whole.face_count();
     scene.triangles = triangles(mesh);
     for (Triangle &triangle : scene.triangles)
         for (std::uint32_t &corner : triangle)

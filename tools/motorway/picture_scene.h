@@ -40,7 +40,7 @@ struct Scene {
     std::vector<Edge> lines;
     std::vector<std::uint32_t> points; /* the vertices that are drawn of a cloud */
     bool closed;                                     /* nobody sees the inside of a closed mesh */
-    bool simplified;                                 /* the mesh has more details than are drawn */
+    bool simplified = false;                         /* the mesh has more details than are drawn */
     Box3 box;
 };
 

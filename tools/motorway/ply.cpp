@@ -57,7 +57,7 @@ public:
             if (elements[k].name == "vertex")
                 read_vertices(elements[k], k);
             else if (elements[k].name == "face")
-                read_faces(elements[k]);
+                read_faces(elements[k], k);
             else if (elements[k].name == "tristrips")
                 read_strips(elements[k]);
             else if (elements[k].name == "edge")
@@ -81,32 +81,48 @@ private:
 
     void read_vertices(const PlyElement &element, std::size_t number)
     {
-        source_->vertex_element = number;
-        source_->vertices = values_->end();
-        source_->slots = ply_slots(element, path_, beyond_);
-        read_ply_vertices(mesh_, element, source_->slots, *values_);
-        for (std::size_t k = 0; k < source_->slots.size(); ++k)
-            if (source_->slots[k] < ply_slot::MOVED && ply_is_integer(element.properties[k].type))
-                whole_numbers_ += (whole_numbers_.empty() ? "" : ", ") + element.properties[k].name;
+        const PlySlots slots = ply_slots(element, path_, beyond_);
+        will_move(number, slots);
+        read_ply_vertices(mesh_, element, slots, *values_);
     }
 
-    void read_faces(const PlyElement &element)
+    /* The element whose values come next. */
+    void will_move(std::size_t number, const PlySlots &slots)
+    {
+        source_->moved.push_back({number, values_->end(), slots});
+        const std::vector<PlyProperty> &properties = source_->header.elements[number].properties;
+        for (std::size_t k = 0; k < slots.size(); ++k)
+            if (slots[k] < ply_slot::MOVED && ply_is_integer(properties[k].type))
+                whole_numbers_ += (whole_numbers_.empty() ? "" : ", ") + properties[k].name;
+    }
+
+    void read_faces(const PlyElement &element, std::size_t number)
     {
         const PlyProperty *const corners = corner_list(element), *const uvs = uv_list(element);
-        leave_all_but(element, {corners, uvs});
+        const PlySlots slots = ply_face_slots(element);
+        if (std::count(slots.begin(), slots.end(), ply_slot::NOWHERE) < static_cast<std::ptrdiff_t>(slots.size()))
+            will_move(number, slots);
+        mesh_.in_double = mesh_.in_double || ply_moves_doubles(element, slots);
+        leave_all_but(element, {corners, uvs}, slots);
         std::vector<std::uint32_t> face;
         std::vector<float> face_uvs;
         for (std::uint64_t row = 0; row < element.count && !element.properties.empty(); ++row) {
             face.clear();
             face_uvs.clear();
-            for (const PlyProperty &property : element.properties) {
-                if (&property == corners)
+            double normal[3] = {};
+            for (std::size_t k = 0; k < slots.size(); ++k) {
+                const PlyProperty &property = element.properties[k];
+                if (slots[k] != ply_slot::NOWHERE)
+                    normal[slots[k] % 3] = values_->real(property.type, element.name, row);
+                else if (&property == corners)
                     read_indices(face, property, element.name, row);
                 else if (&property == uvs)
                     read_reals(face_uvs, property, element.name, row);
                 else
                     skip_ply_property(*values_, property, element.name, row);
             }
+            if (!source_->moved.empty() && source_->moved.back().element == number)
+                mesh_.face_normals.insert(mesh_.face_normals.end(), normal, normal + 3);
             if (corners)
                 add_face(face, face_uvs);
         }
@@ -184,11 +200,15 @@ private:
         return list && !ply_is_integer(list->type) ? list : nullptr;
     }
 
-    void leave_all_but(const PlyElement &element, std::initializer_list<const PlyProperty *> wanted)
+    void leave_all_but(const PlyElement &element, std::initializer_list<const PlyProperty *> wanted,
+                       const PlySlots &slots = {})
     {
-        for (const PlyProperty &property : element.properties)
-            if (std::find(wanted.begin(), wanted.end(), &property) == wanted.end())
+        for (std::size_t k = 0; k < element.properties.size(); ++k) {
+            const PlyProperty &property = element.properties[k];
+            const bool is_wanted = std::find(wanted.begin(), wanted.end(), &property) != wanted.end();
+            if (!is_wanted && (slots.empty() || slots[k] == ply_slot::NOWHERE))
                 beyond_.insert(element.name + " " + in_quotes(property.name));
+        }
     }
 
     void read_indices(std::vector<std::uint32_t> &out, const PlyProperty &list, const std::string &name,

@@ -19,11 +19,11 @@ template <class Bits, class Real> void append_bits(std::string &out, Real value,
         out += static_cast<char>(bits >> 8 * (big_endian ? sizeof bits - 1 - k : k) & 0xff);
 }
 
-const std::vector<double> &moved(const Pose &pose, std::size_t slot)
+const std::vector<double> &vectors_of(const Pose &pose, std::size_t slot)
 {
-    using namespace ply_slot;
-    return slot < NORMAL ? pose.positions : slot < TANGENT ? pose.normals : slot < BITANGENT ? pose.tangents
-                                                                                            : pose.bitangents;
+    const std::vector<double> *const arrays[] = {&pose.positions, &pose.normals, &pose.tangents, &pose.bitangents,
+                                                 &pose.face_normals};
+    return *arrays[slot / 3];
 }
 
 } // namespace
@@ -50,25 +50,25 @@ std::string PlySource::header_text() const
 {
     std::string out;
     std::size_t copied = 0;
-    const PlyElement &element = header.elements[vertex_element];
-    for (std::size_t k = 0; k < slots.size(); ++k) {
-        const PlyProperty &property = element.properties[k];
-        if (slots[k] >= ply_slot::MOVED || ply_written_type(property.type) == property.type)
-            continue;
-        out.append(text, copied, property.type_at - copied);
-        out += "double";
-        copied = property.type_at + property.type_size;
-    }
+    for (const auto &[number, begin, slots] : moved)
+        for (std::size_t k = 0; k < slots.size(); ++k) {
+            const PlyProperty &property = header.elements[number].properties[k];
+            if (slots[k] >= ply_slot::MOVED || ply_written_type(property.type) == property.type)
+                continue;
+            out.append(text, copied, property.type_at - copied);
+            out += "double";
+            copied = property.type_at + property.type_size;
+        }
     return out.append(text, copied, header.body - copied);
 }
 
-std::string PlySource::write(const Pose &pose) const
+/* The text up to the last number of the element, with the new numbers; returns where that ended. */
+std::size_t PlySource::append_element(std::string &body, const Moved &moved_element, const Pose &pose,
+                                      std::size_t copied) const
 {
-    std::string body;
-    body.reserve(text.size());
-    const PlyElement &element = header.elements[vertex_element];
-    const auto values = ply_values(header, text, vertices, "");
-    std::size_t copied = header.body;
+    const PlyElement &element = header.elements[moved_element.element];
+    const PlySlots &slots = moved_element.slots;
+    const auto values = ply_values(header, text, moved_element.begin, "");
     for (std::uint64_t row = 0; row < element.count; ++row)
         for (std::size_t k = 0; k < slots.size(); ++k) {
             const PlyProperty &property = element.properties[k];
@@ -76,10 +76,20 @@ std::string PlySource::write(const Pose &pose) const
             if (slots[k] >= ply_slot::MOVED)
                 continue;
             body.append(text, copied, values->begin() - copied);
-            append_ply_number(body, moved(pose, slots[k])[3 * row + slots[k] % 3], ply_written_type(property.type),
-                              header.format);
+            append_ply_number(body, vectors_of(pose, slots[k])[3 * row + slots[k] % 3],
+                              ply_written_type(property.type), header.format);
             copied = values->end();
         }
+    return copied;
+}
+
+std::string PlySource::write(const Pose &pose) const
+{
+    std::string body;
+    body.reserve(text.size());
+    std::size_t copied = header.body;
+    for (const Moved &element : moved)
+        copied = append_element(body, element, pose, copied);
     body.append(text, copied);
     if (header.format == PlyFormat::ascii)
         return with_line_ends(header_text() + body, line_end);

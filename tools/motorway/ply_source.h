@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "mesh.h"
 #include "ply_header.h"
@@ -16,15 +17,21 @@ public:
     PlyHeader header;
     std::string text;     /* the header in lines that end with LF, and the body: if it is ascii, in such lines too */
     std::string line_end; /* what ended them in the file */
-    std::size_t vertex_element = 0; /* its number in the header */
-    std::size_t vertices = 0;       /* where the values of the vertices begin in the text */
-    PlySlots slots;                 /* of the properties of that element */
+
+    /* An element that has vectors which are moved. */
+    struct Moved {
+        std::size_t element; /* its number in the header */
+        std::size_t begin;   /* where its values are in the text */
+        PlySlots slots;      /* of its properties */
+    };
+    std::vector<Moved> moved; /* in the order of the file */
 
     const char *kind() const override { return ".ply"; }
     std::string write(const Pose &pose) const override;
 
 private:
     std::string header_text() const;
+    std::size_t append_element(std::string &body, const Moved &element, const Pose &pose, std::size_t copied) const;
 };
 
 /* Whole numbers cannot hold a pose: properties of this type are written as this one. */

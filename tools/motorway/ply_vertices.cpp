@@ -95,15 +95,35 @@ PlySlots ply_slots(const PlyElement &vertices, const std::string &path, std::set
     return slots;
 }
 
+PlySlots ply_face_slots(const PlyElement &faces)
+{
+    PlySlots slots;
+    for (const PlyProperty &property : faces.properties) {
+        const std::size_t slot = slot_of(property), moved = slot - NORMAL + FACE_NORMAL;
+        slots.push_back(slot < NORMAL || slot >= TANGENT || has(slots, moved) ? NOWHERE : moved);
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+        if (!has(slots, FACE_NORMAL + k))
+            forget(slots, FACE_NORMAL, 3);
+    return slots;
+}
+
+bool ply_moves_doubles(const PlyElement &element, const PlySlots &slots)
+{
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+        const PlyType type = element.properties[k].type;
+        if (slots[k] < MOVED && ply_size(type) >= 4 && type != PlyType::float32)
+            return true;
+    }
+    return false;
+}
+
 void read_ply_vertices(Mesh &mesh, const PlyElement &vertices, const PlySlots &slots, PlyValues &values)
 {
     const bool normals = has(slots, NORMAL), tangents = has(slots, TANGENT), bitangents = has(slots, BITANGENT);
     const bool colours = has(slots, COLOUR), uvs = has(slots, UV), signs = has(slots, SIGN);
     mesh.has_alpha = has(slots, COLOUR + 3);
-    for (std::size_t k = 0; k < slots.size(); ++k) {
-        const PlyType type = vertices.properties[k].type;
-        mesh.in_double = mesh.in_double || (slots[k] < MOVED && ply_size(type) >= 4 && type != PlyType::float32);
-    }
+    mesh.in_double = mesh.in_double || ply_moves_doubles(vertices, slots);
     for (std::uint64_t row = 0; row < vertices.count; ++row) {
         double value[COUNT] = {};
         value[COLOUR + 3] = 1;

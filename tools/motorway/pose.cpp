@@ -88,8 +88,9 @@ void pose_mesh(Pose &out, const Mesh &mesh, const mw_motor_f64 &motor)
     pose_directions(out.normals, mesh.normals, motor);
     pose_directions(out.tangents, mesh.tangents, motor);
     pose_directions(out.bitangents, mesh.bitangents, motor);
+    pose_directions(out.face_normals, mesh.face_normals, motor);
     if (!mesh.in_double)
-        for (std::vector<double> *numbers : {&out.positions, &out.normals, &out.tangents, &out.bitangents})
+        for (auto *numbers : {&out.positions, &out.normals, &out.tangents, &out.bitangents, &out.face_normals})
             round_to_floats(*numbers);
 }
 

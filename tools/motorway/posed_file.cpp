@@ -34,6 +34,7 @@ std::vector<std::string> left_out(const Mesh &mesh, const std::string &kind)
     add(as_ply && !mesh.uvs.empty() && mesh.corner_uvs.empty() && !mesh.has_vertex_uvs(), "texture coordinates");
     add(!as_glb && !mesh.tangents.empty(), "tangents");
     add(!mesh.bitangents.empty(), "bitangents");
+    add(!mesh.face_normals.empty(), "normals of faces");
     add(kind == ".obj" && mesh.has_alpha, "the alpha of colours");
     return names;
 }

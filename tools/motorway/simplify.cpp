@@ -57,6 +57,9 @@ Mesh clustered(const Mesh &mesh, int cells)
         out.corners.insert(out.corners.end(), corner, corner + 3);
         out.face_starts.push_back(out.corners.size());
     }
+    for (const auto &[from, to] : mesh.lines)
+        if (merged[from] != merged[to])
+            out.lines.emplace_back(merged[from], merged[to]);
     return out;
 }
 
