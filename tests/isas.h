@@ -11,7 +11,7 @@
 
 namespace motorway::testing {
 
-// From the build: "scalar sse2 avx2", say.
+// From the build: "scalar sse2 avx2", say. Tests are of those that run; isa_test.cpp names the others, once.
 inline std::vector<std::string> compiled_isas()
 {
     std::istringstream text(MOTORWAY_TEST_ISAS);
