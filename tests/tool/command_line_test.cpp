@@ -31,7 +31,7 @@ const std::vector<Mistake> MISTAKES = {
     {"OnlyDashes", {"--"}, "there is no command"},
     {"CommandAfterDashes", {"--", "pose"}, "there is no command"},
     {"UnknownCommand", {"fooo"}, "\"fooo\" is no command; there are " + COMMANDS, "; see motorway --help"},
-    {"UnknownCommandWithArguments", {"fooo", "m.obj", "--frames", "3"}, "\"--frames\" is no option", "come after it"},
+    {"UnknownCommandWithArguments", {"poze", "m.obj", "--frames", "3"}, "\"poze\" is no command, but pose is"},
     {"CommandCutShort", {"pos"}, "\"pos\" is no command, but pose is; there are " + COMMANDS},
     {"CommandWithLettersSwapped", {"smaple"}, "\"smaple\" is no command, but sample is"},
     {"CommandInCapitals", {"Info"}, "\"Info\" is no command, but info is"},

@@ -93,13 +93,14 @@ std::string usage_of(const CLI::Option &option)
     return option.get_positional() ? option.get_name() : option.get_name() + " " + option.get_type_name();
 }
 
-/* Words that `command` does not know; it is the app itself where they stand before a command. */
+/* Words that `command` does not know; it is the app itself where they stand before a command. Options are named first,
+ * for what follows one may be its value; but a command comes before all that belongs to it. */
 std::string unknown_word(const CLI::App &app, const CLI::App &command, const Words &words)
 {
     const auto is_option = [](const std::string &word) { return word.size() > 1 && word[0] == '-'; };
+    const bool in_front = &command == &app, about_commands = in_front && !is_option(words.front());
     const auto option = std::find_if(words.begin(), words.end(), is_option);
-    const bool in_front = &command == &app, about_commands = in_front && option == words.end();
-    const std::string word = option == words.end() ? words.front() : *option;
+    const std::string word = about_commands || option == words.end() ? words.front() : *option;
     if (option == words.end() && !in_front)
         return in_quotes(word) + " is one argument too many; remove it";
     const Words commands = names_of_commands(app), options = names_of_options(command);
