@@ -70,12 +70,15 @@ Verdict judge_slerp(const Motor<Wide<T>> &first, const Motor<Wide<T>> &end, Wide
     if (far) {
         if (abs(t) * 8 > largest<T>())  // an angle that is not finite
             return verdict;
-        unit_motor(verdict, out);
-        const R sine = sqrt(larger(sine_square, epsilon<T>() * epsilon<T>()));
-        if (sine_square < R(0.0025))  // nearer than 0.1 rad: nothing is promised yet
+        unit_motor(verdict, out, 6);  // two of them are those of the pose that it begins at
+        // Between poses that are the same, but for rounding or for 2^-40, there is no long way.
+        if (sine_square < larger(64 * epsilon<T>() * epsilon<T>(), scaled(R(1), -78)))
             return verdict;
-        near_motor(verdict, out, right, times, Bound(7, 8).of(fuses), R(times * times * size / (sine * sine)),
-                   Bound(6, 8).of(fuses));
+        // Half of the angle between them; what is promised below 0.1 of all is one over it.
+        const R half = sqrt(sine_square);
+        const double bound = half < R(0.05) ? static_cast<double>(1 / (2 * half)) : Bound(7, 8).of(fuses);
+        near_motor(verdict, out, right, times, bound, R(times * times * size / sine_square),
+                   larger(bound, (within ? Bound(6, 8) : Bound(10, 12)).of(fuses)), 64 / sine_square);
         return verdict;
     }
     if (!near)
