@@ -29,8 +29,8 @@ template <class T> void assign(T *to, const vector3 &v)
     to[0] = static_cast<T>(v.x), to[1] = static_cast<T>(v.y), to[2] = static_cast<T>(v.z);
 }
 
-// Of length 1. Of very short and very long vectors the inverse of the length would not be a normal number, nor would that
-// of a short one have all its digits.
+// Of length 1. Of very short and very long vectors the inverse of the length would not be a normal number, nor would
+// that of a short one have all its digits.
 vector3 direction(const vector3 &a)
 {
     const double size = std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);

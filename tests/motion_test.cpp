@@ -122,7 +122,8 @@ TYPED_TEST(MotionTest, every_byte_is_written)
                     memory[before].resize((size + 7) / 8);
                     std::memset(memory[before].data(), before ? 0xa5 : 0x5a, size);
                     const typename A::CompiledMotion *compiled;
-                    ASSERT_EQ(A::compile_motion(&compiled, memory[before].data(), size, &description, MW_DEFAULT, nullptr),
+                    ASSERT_EQ(A::compile_motion(&compiled, memory[before].data(), size, &description, MW_DEFAULT,
+                                                nullptr),
                               MW_OK);
                 }
                 EXPECT_EQ(std::memcmp(memory[0].data(), memory[1].data(), size), 0) << data.name();

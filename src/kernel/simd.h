@@ -52,8 +52,8 @@ template <class T> constexpr int width = static_cast<int>(sizeof(vector<T>) / si
 
 // ------------------------------------------------------------------------------------------------- arithmetic
 
-// -a where the compiler does not see what a is: where it fuses GCC makes -a b - c of -(a b + c), which is 0 and not -0 if
-// they cancel. The empty statement keeps it from that.
+// -a where the compiler does not see what a is: where it fuses GCC makes -a b - c of -(a b + c), which is 0 and not -0
+// if they cancel. The empty statement keeps it from that.
 template <class T> inline T negated(T a)
 {
 #if defined(__x86_64__) || defined(__i386__)

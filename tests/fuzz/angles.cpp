@@ -47,7 +47,8 @@ Quaternion<R> with_sign_of(const Quaternion<R> &q, const Quaternion<R> &like)
 
 // The rotation of numbers that were computed, against the right one: errors of the quaternion, in epsilons.
 template <class T>
-void near_rotation(Verdict &verdict, const Quaternion<Wide<T>> &computed, const Quaternion<Wide<T>> &right, double bound)
+void near_rotation(Verdict &verdict, const Quaternion<Wide<T>> &computed, const Quaternion<Wide<T>> &right,
+                   double bound)
 {
     using R = Wide<T>;
     const Quaternion<R> same = with_sign_of(right, computed);
@@ -56,8 +57,8 @@ void near_rotation(Verdict &verdict, const Quaternion<Wide<T>> &computed, const 
 }
 
 template <class T>
-void near_pose(Verdict &verdict, const T *out, const Quaternion<Wide<T>> &r, const Vector<Wide<T>> &t, double rotation_bound,
-               double translation_bound)
+void near_pose(Verdict &verdict, const T *out, const Quaternion<Wide<T>> &r, const Vector<Wide<T>> &t,
+               double rotation_bound, double translation_bound)
 {
     using R = Wide<T>;
     near_motor(verdict, out, pose(r, t), R(1), rotation_bound, R(length(t) / 2), translation_bound, R(16));
@@ -68,7 +69,8 @@ void near_pose(Verdict &verdict, const T *out, const Quaternion<Wide<T>> &r, con
 template <class T>
 Function axis_angle_to_motor()
 {
-    Function f{"axis and angle", named<T>("convert_axis_angle_to_motor_each"), {{7, sizeof(T)}}, motors_of<T>(), {}, {}, {}};
+    Function f{
+        "axis and angle", named<T>("convert_axis_angle_to_motor_each"), {{7, sizeof(T)}}, motors_of<T>(), {}, {}, {}};
     f.draw = [](Random &random, void *const *inputs) {
         Draw<T> draw(random);
         T *const in = static_cast<T *>(inputs[0]);
@@ -99,8 +101,13 @@ Function axis_angle_to_motor()
 template <class T>
 Function motor_to_axis_angle()
 {
-    Function f{"axis and angle", named<T>("convert_motor_to_axis_angle_each"), {motors_of<T>()}, {7, sizeof(T)},
-               draw_any_motor<T>, {}, {}};
+    Function f{"axis and angle",
+               named<T>("convert_motor_to_axis_angle_each"),
+               {motors_of<T>()},
+               {7, sizeof(T)},
+               draw_any_motor<T>,
+               {},
+               {}};
     f.ways = {[](const Call &call) {
         return C<T>::motor_to_axis_angle(view_of<typename C<T>::Xyzw>(call.out), view_of<Xyz<T>>(call.out, 4),
                                          view_of<In<T>>(call.in[0]), call.count);
@@ -146,9 +153,9 @@ Quaternion<Wide<T>> rotation_of(mw_euler_order order, const T *angles)
     return r;
 }
 
-// Half of how far the second angle is from gimbal lock, of a motor of any length. With w and q_i q_j q_k along the three
-// axes: the smaller of the lengths of (w, q_i) and (q_j, q_k) if the first axis is the last; else of (w + q_j, q_i + q_k)
-// and (w - q_j, q_i - q_k) over √2, where k is the axis that is left and counts with the sign of the order.
+// Half of how far the second angle is from gimbal lock, of a motor of any length. With w and q_i q_j q_k along the
+// three axes: the smaller of the lengths of (w, q_i) and (q_j, q_k) if the first axis is the last; else of (w + q_j,
+// q_i + q_k) and (w - q_j, q_i - q_k) over √2, where k is the axis that is left and counts with the sign of the order.
 template <class R>
 R distance_from_lock(mw_euler_order order, const Quaternion<R> &r)
 {
@@ -165,8 +172,13 @@ R distance_from_lock(mw_euler_order order, const Quaternion<R> &r)
 template <class T>
 Function euler_to_motor(mw_euler_order order)
 {
-    Function f{"Euler", named<T>("convert_euler_to_motor_each") + ", " + testing::names_of_orders[order], {{6, sizeof(T)}},
-               motors_of<T>(), {}, {}, {}};
+    Function f{"Euler",
+               named<T>("convert_euler_to_motor_each") + ", " + testing::names_of_orders[order],
+               {{6, sizeof(T)}},
+               motors_of<T>(),
+               {},
+               {},
+               {}};
     f.draw = [](Random &random, void *const *inputs) {
         Draw<T> draw(random);
         T *const in = static_cast<T *>(inputs[0]);
@@ -216,15 +228,20 @@ void draw_for_euler(Random &random, mw_euler_order order, T *components)
 template <class T>
 Function motor_to_euler(mw_euler_order order)
 {
-    Function f{"Euler", named<T>("convert_motor_to_euler_each") + ", " + testing::names_of_orders[order], {motors_of<T>()},
-               {6, sizeof(T)}, {}, {}, {}};
+    Function f{"Euler",
+               named<T>("convert_motor_to_euler_each") + ", " + testing::names_of_orders[order],
+               {motors_of<T>()},
+               {6, sizeof(T)},
+               {},
+               {},
+               {}};
     f.draw = [order](Random &random, void *const *inputs) {
         draw_for_euler(random, order, static_cast<T *>(inputs[0]));
         Draw<T>(random).spoil(static_cast<T *>(inputs[0]), 8);
     };
     f.ways = {[order](const Call &call) {
-        return C<T>::motor_to_euler(view_of<Xyz<T>>(call.out), view_of<Xyz<T>>(call.out, 3), view_of<In<T>>(call.in[0]),
-                                    call.count, order);
+        return C<T>::motor_to_euler(view_of<Xyz<T>>(call.out), view_of<Xyz<T>>(call.out, 3),
+                                    view_of<In<T>>(call.in[0]), call.count, order);
     }};
     f.judge = [order](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;
@@ -236,7 +253,8 @@ Function motor_to_euler(mw_euler_order order)
         const bool same_axes = testing::axis_of(order, 0) == testing::axis_of(order, 2);
         const T half = a_half_turn<T>(), quarter = static_cast<T>(pi<R>() / 2);
         verdict.require("first and third in [-pi, pi]", std::fabs(got[0]) <= half && std::fabs(got[2]) <= half);
-        verdict.require("second in its range", same_axes ? got[1] >= 0 && got[1] <= half : std::fabs(got[1]) <= quarter);
+        verdict.require("second in its range",
+                        same_axes ? got[1] >= 0 && got[1] <= half : std::fabs(got[1]) <= quarter);
         // How far the second angle is from where the axes of the others meet, half of it.
         const R off = distance_from_lock(order, motor.r) / epsilon<T>();
         near_rotation<T>(verdict, rotation_of(order, got), R(1 / length(motor.r)) * motor.r, off < R(10) ? 21 : 5);
@@ -264,7 +282,8 @@ Function screw_to_motor()
         draw.spoil(in, 8);
     };
     f.ways = {[](const Call &call) {
-        return C<T>::screw_to_motor(view_of<Out<T>>(call.out), view_of<typename C<T>::ConstScrews>(call.in[0]), call.count);
+        return C<T>::screw_to_motor(view_of<Out<T>>(call.out), view_of<typename C<T>::ConstScrews>(call.in[0]),
+                                    call.count);
     }};
     // docs/conventions.md: d = ½ h cos ½θ a + sin ½θ (p × a), and w = ½ h sin ½θ, of which dw is the opposite.
     f.judge = [](const void *const *inputs, const void *out, bool) {
@@ -287,7 +306,8 @@ Function screw_to_motor()
 template <class T>
 Function motor_to_screw()
 {
-    Function f{"screw", named<T>("convert_motor_to_screw_each"), {motors_of<T>()}, {8, sizeof(T)}, draw_any_motor<T>, {}, {}};
+    Function f{
+        "screw", named<T>("convert_motor_to_screw_each"), {motors_of<T>()}, {8, sizeof(T)}, draw_any_motor<T>, {}, {}};
     f.ways = {[](const Call &call) {
         return C<T>::motor_to_screw(view_of<typename C<T>::Screws>(call.out), view_of<In<T>>(call.in[0]), call.count);
     }};
@@ -304,7 +324,8 @@ Function motor_to_screw()
             verdict.near("angle", got + 6, &angle, 1, angle, 4);
         const R off = abs(R(length(vector_of<R>(got)) - 1)) / epsilon<T>();
         verdict.at_most("length of the axis", is_finite(off) ? static_cast<double>(off) : HUGE_VAL, 3);
-        near_rotation<T>(verdict, turn_about(vector_of<R>(got), R(R(got[6]) / 2)), R(1 / length(motor.r)) * motor.r, 5);
+        near_rotation<T>(verdict, turn_about(vector_of<R>(got), R(R(got[6]) / 2)), R(1 / length(motor.r)) * motor.r,
+                         5);
         // What they move the origin by: (1 - R) p, and the distance along the axis.
         const Vector<R> a = vector_of<R>(got), p = vector_of<R>(got + 3);
         const Quaternion<R> q = turn_about(a, R(R(got[6]) / 2));

@@ -22,7 +22,8 @@ testing::View<T> at(const Place &place, std::size_t components)
     return view;
 }
 
-// M is the number that motors are made of, T that of elements. Inputs are motors, elements, and of mixed functions a shift.
+// M is the number that motors are made of, T that of elements. Inputs are motors, elements, and of mixed functions a
+// shift.
 template <class M, class T>
 struct Applying {
     ApplyFunctions<T> functions;
@@ -49,7 +50,8 @@ struct Applying {
         return functions.run(Pairing::one, c);
     }
 
-    // As one of the rows of a grid, whose motors are multiples of each other; rows one after the other, or side by side.
+    // As one of the rows of a grid, whose motors are multiples of each other; rows one after the other, or side by
+    // side.
     mw_status in_a_grid(const Call &call) const
     {
         ApplyCall<T> c = arguments(call);
@@ -167,7 +169,8 @@ void judge_moved(Verdict &verdict, Moved moved, const Motor<Wide<T>> &motor, con
         const R last = ei + dot(middle, t) + e0 * dot(t, t) / 2;
         verdict.near("e0", out, &e0, 1, R(1), 0, R(0));
         near("middle", out + 1, middle + e0 * t, length(middle) + abs(e0) * far, 5);
-        verdict.near("e∞", out + 4, &last, 1, R(abs(ei) + length(middle) * far + abs(e0) * far * far), 8, R(4 * lost * (1 + far)));
+        verdict.near("e∞", out + 4, &last, 1, R(abs(ei) + length(middle) * far + abs(e0) * far * far), 8,
+                     R(4 * lost * (1 + far)));
         break;
     }
     case Moved::line: {
@@ -218,9 +221,13 @@ Function application(Moved moved, Pairing pairing, unsigned flags)
     const Applying<M, T> applying{testing::apply_functions_of<T>(moved, mixed), flags};
     const std::size_t components = applying.functions.components();
     const bool one = pairing == Pairing::one;
-    Function f{"apply", applying.functions.name(pairing),
-               {motors_of<M>(one ? Stream::shared : Stream::apart), {components, sizeof(T)}}, {components, sizeof(T)},
-               {}, {}, {}};
+    Function f{"apply",
+               applying.functions.name(pairing),
+               {motors_of<M>(one ? Stream::shared : Stream::apart), {components, sizeof(T)}},
+               {components, sizeof(T)},
+               {},
+               {},
+               {}};
     if (flags)
         f.name += " of unit motors";
     if (mixed)
@@ -269,8 +276,8 @@ void add(Functions &functions, Moved moved)
 
 void add_applications(Functions &functions)
 {
-    for (const Moved moved : {Moved::point, Moved::direction, Moved::tangent, Moved::vertex, Moved::vector, Moved::line,
-                              Moved::motor, Moved::bivector}) {
+    for (const Moved moved : {Moved::point, Moved::direction, Moved::tangent, Moved::vertex, Moved::vector,
+                              Moved::line, Moved::motor, Moved::bivector}) {
         add<float, float>(functions, moved);
         add<double, double>(functions, moved);
     }

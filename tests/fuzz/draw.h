@@ -41,15 +41,22 @@ public:
 
     T special()
     {
-        const T numbers[] = {0, T(-0.0), 1, -1, 1 + Limits::epsilon(), 1 - Limits::epsilon() / 2, Limits::min(),
-                             Limits::denorm_min(), Limits::max(), Limits::lowest(), Limits::min() / 2, T(0.5)};
+        const T numbers[] = {0,
+                             T(-0.0),
+                             1,
+                             -1,
+                             1 + Limits::epsilon(),
+                             1 - Limits::epsilon() / 2,
+                             Limits::min(),
+                             Limits::denorm_min(),
+                             Limits::max(),
+                             Limits::lowest(),
+                             Limits::min() / 2,
+                             T(0.5)};
         return numbers[below(sizeof numbers / sizeof numbers[0])];
     }
 
-    T not_finite()
-    {
-        return chance(2) ? Limits::quiet_NaN() : chance(2) ? Limits::infinity() : -Limits::infinity();
-    }
+    T not_finite() { return chance(2) ? Limits::quiet_NaN() : chance(2) ? Limits::infinity() : -Limits::infinity(); }
 
     // Mostly usual numbers.
     T number()
@@ -147,8 +154,8 @@ public:
                 components[k] = -components[k];
     }
 
-    // Any motor whose α is legal: in three of eight normalised, or off it by any factor, or with a pseudoscalar part, or
-    // of components of any size.
+    // Any motor whose α is legal: in three of eight normalised, or off it by any factor, or with a pseudoscalar part,
+    // or of components of any size.
     void motor(T *components)
     {
         const std::size_t kind = below(8);
@@ -158,7 +165,8 @@ public:
         do {
             if (kind == 7) {
                 for (int k = 0; k < 8; ++k)
-                    components[k] = k < 4 ? power_of_two(Limits::min_exponent / 2, Limits::max_exponent / 2 - 2) : number();
+                    components[k] = k < 4 ? power_of_two(Limits::min_exponent / 2, Limits::max_exponent / 2 - 2)
+                                          : number();
                 continue;
             }
             Motor<R> m = unit_motor();

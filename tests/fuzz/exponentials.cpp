@@ -4,9 +4,9 @@
 namespace motorway::fuzz {
 namespace {
 
-// About one axis of coordinates the angle is exactly that which is given, and so must its sine and cosine be. About any
-// other it is the root of a sum: to a few epsilons as long as these do not make it another angle, and else to one of its
-// own.
+// About one axis of coordinates the angle is exactly that which is given, and so must its sine and cosine be. About
+// any other it is the root of a sum: to a few epsilons as long as these do not make it another angle, and else to one
+// of its own.
 template <class R>
 R angle_slack(const Motor<R> &b, R half_angle)
 {
@@ -88,7 +88,8 @@ Verdict judge_log(const void *const *inputs, const void *out, bool fuses, Given 
         const Motor<R> b = log(right.r.w < 0 ? R(-1) * right : right, Way::principal);
         const bool unit = given == Given::unit;
         near_bivector(verdict, numbers<T>(out), b, length(b.r.v), unit ? 1.5 : 2,
-                      unit ? length(b.d.v) : larger(length(b.d.v), reach(motor) / 2), unit ? Bound(2.5, 3).of(fuses) : 4);
+                      unit ? length(b.d.v) : larger(length(b.d.v), reach(motor) / 2),
+                      unit ? Bound(2.5, 3).of(fuses) : 4);
         return verdict;
     };
     return motor.r.w == 0 ? either_sign<T>(motor, judge) : judge(motor);
@@ -126,8 +127,13 @@ template <class T>
 Function logarithm(Given given, Way way)
 {
     const bool shortest = way == Way::shortest;
-    Function f{"log", named<T>(shortest ? "log_motor_each" : "log_principal_motor_each"), {motors_of<T>()},
-               {6, sizeof(T)}, draw_motor<T>(given), {}, {}};
+    Function f{"log",
+               named<T>(shortest ? "log_motor_each" : "log_principal_motor_each"),
+               {motors_of<T>()},
+               {6, sizeof(T)},
+               draw_motor<T>(given),
+               {},
+               {}};
     const unsigned flags = given == Given::unit ? MW_UNIT_MOTORS : MW_DEFAULT;
     if (given == Given::unit)
         f.name += " of unit motors";
@@ -145,7 +151,8 @@ Function logarithm(Given given, Way way)
 // ------------------------------------------------------------------------------------------------- roots and powers
 
 template <class T>
-Verdict judge_power(const Motor<Wide<T>> &motor, Wide<T> t, const T *out, double rotation_bound, double translation_bound)
+Verdict judge_power(const Motor<Wide<T>> &motor, Wide<T> t, const T *out, double rotation_bound,
+                    double translation_bound)
 {
     using R = Wide<T>;
     return either_sign<T>(motor, [&](const Motor<R> &near) {
@@ -163,7 +170,8 @@ Verdict judge_power(const Motor<Wide<T>> &motor, Wide<T> t, const T *out, double
 template <class T>
 Function square_root()
 {
-    Function f{"power", named<T>("sqrt_motor_each"), {motors_of<T>()}, motors_of<T>(), draw_motor<T>(Given::unit), {}, {}};
+    Function f{"power", named<T>("sqrt_motor_each"), {motors_of<T>()}, motors_of<T>(), draw_motor<T>(Given::unit), {},
+               {}};
     f.ways = {[](const Call &call) {
         return Api<T>::sqrt_motor_each(view_of<typename Api<T>::Motors>(call.out),
                                        view_of<typename Api<T>::ConstMotors>(call.in[0]), call.count);
@@ -185,7 +193,9 @@ Function power_of()
         Draw<T> draw(random);
         T *const exponent = static_cast<T *>(inputs[1]);
         draw_motor<T>(Given::unit)(random, inputs);
-        *exponent = draw.chance(2) ? static_cast<T>(draw.uniform(-8, 8)) : draw.chance(2) ? draw.angle() : draw.number();
+        *exponent = draw.chance(2)   ? static_cast<T>(draw.uniform(-8, 8))
+                    : draw.chance(2) ? draw.angle()
+                                     : draw.number();
         draw.spoil(exponent, 1);
     };
     f.ways = {[](const Call &call) {

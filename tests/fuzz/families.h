@@ -13,6 +13,7 @@ void add_applications(Functions &functions);
 void add_poses(Functions &functions);
 void add_angles(Functions &functions);
 void add_singles(Functions &functions);
+void add_motions(Functions &functions);
 
 inline Functions all_functions()
 {
@@ -24,6 +25,7 @@ inline Functions all_functions()
     add_poses(functions);
     add_angles(functions);
     add_singles(functions);
+    add_motions(functions);
     return functions;
 }
 

@@ -81,7 +81,8 @@ void Findings::print_errors() const
 {
     std::printf("\n%-44s %-14s %10s %10s\n", "the largest errors, in epsilons", "of", "fused", "not fused");
     for (const auto &[key, error] : errors_)
-        std::printf("%-44s %-14s %10.3g %10.3g\n", key.first.c_str(), key.second.c_str(), error.worst[1], error.worst[0]);
+        std::printf("%-44s %-14s %10.3g %10.3g\n", key.first.c_str(), key.second.c_str(), error.worst[1],
+                    error.worst[0]);
 }
 
 }  // namespace motorway::fuzz

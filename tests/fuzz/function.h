@@ -1,5 +1,5 @@
-// A function of the library, as the fuzzer sees it: what goes in, the ways to call it that must all give the same bits,
-// and what is right.
+// A function of the library, as the fuzzer sees it: what goes in, the ways to call it that must all give the same
+// bits, and what is right.
 #ifndef MOTORWAY_TESTS_FUZZ_FUNCTION_H
 #define MOTORWAY_TESTS_FUZZ_FUNCTION_H
 
@@ -78,6 +78,7 @@ struct Function {
     // The first gives the bits that all others must give.
     std::vector<std::function<mw_status(const Call &)>> ways;
     std::function<Verdict(const void *const *inputs, const void *out, bool fuses)> judge;
+    bool apart = false;  // results may not lie among the inputs, nor over them
 };
 
 using Functions = std::vector<Function>;

@@ -57,7 +57,8 @@ T draw_parameter(Random &random)
 
 // Towards `end`, which is one of the two motors of the second pose.
 template <class T>
-Verdict judge_slerp(const Motor<Wide<T>> &first, const Motor<Wide<T>> &end, Wide<T> t, const T *out, bool fuses, bool far)
+Verdict judge_slerp(const Motor<Wide<T>> &first, const Motor<Wide<T>> &end, Wide<T> t, const T *out, bool fuses,
+                    bool far)
 {
     using R = Wide<T>;
     Verdict verdict;
@@ -69,18 +70,22 @@ Verdict judge_slerp(const Motor<Wide<T>> &first, const Motor<Wide<T>> &end, Wide
     if (far) {
         if (abs(t) * 8 > largest<T>())  // an angle that is not finite
             return verdict;
-        unit_motor(verdict, out);
-        const R sine = sqrt(larger(sine_square, epsilon<T>() * epsilon<T>()));
-        if (sine_square < R(0.0025))  // nearer than 0.1 rad: nothing is promised yet
+        unit_motor(verdict, out, 6);  // two of them are those of the pose that it begins at
+        // Between poses that are the same, but for rounding or for 2^-40, there is no long way.
+        if (sine_square < larger(64 * epsilon<T>() * epsilon<T>(), scaled(R(1), -78)))
             return verdict;
-        near_motor(verdict, out, right, times, Bound(7, 8).of(fuses), R(times * times * size / (sine * sine)),
-                   Bound(6, 8).of(fuses));
+        // Half of the angle between them; what is promised below 0.1 of all is one over it.
+        const R half = sqrt(sine_square);
+        const double bound = half < R(0.05) ? static_cast<double>(1 / (2 * half)) : Bound(7, 8).of(fuses);
+        near_motor(verdict, out, right, times, bound, R(times * times * size / sine_square),
+                   larger(bound, (within ? Bound(6, 8) : Bound(10, 12)).of(fuses)), 64 / sine_square);
         return verdict;
     }
     if (!near)
         return verdict;
     unit_motor(verdict, out, within ? 4 : 10);
-    near_motor(verdict, out, right, R(1), within ? 2.5 : Bound(5, 5).of(fuses), within ? size : larger(size, length(right.d)),
+    near_motor(verdict, out, right, R(1), within ? 2.5 : Bound(5, 5).of(fuses),
+               within ? size : larger(size, length(right.d)),
                within ? Bound(2.5, 3).of(fuses) : Bound(6, 6.5).of(fuses));
     return verdict;
 }
@@ -125,8 +130,13 @@ Function interpolation(const Kind &kind)
 {
     const std::string verb = kind.along_a_screw ? "slerp" : "nlerp";
     const Stream::Kind poses = kind.one ? Stream::shared : Stream::apart;
-    Function f{verb, named<T>((verb + "_motor_" + (kind.one ? "one" : "each")).c_str()),
-               {motors_of<T>(poses), motors_of<T>(poses), {1, sizeof(T)}}, motors_of<T>(), {}, {}, {}};
+    Function f{verb,
+               named<T>((verb + "_motor_" + (kind.one ? "one" : "each")).c_str()),
+               {motors_of<T>(poses), motors_of<T>(poses), {1, sizeof(T)}},
+               motors_of<T>(),
+               {},
+               {},
+               {}};
     if (kind.flags)
         f.name += ", the long way";
     f.draw = [kind](Random &random, void *const *inputs) {
@@ -183,8 +193,13 @@ Verdict judge_blend(std::size_t terms, const void *const *inputs, const void *ou
 template <class T>
 Function blend(std::size_t terms, bool one)
 {
-    Function f{"blend", named<T>(one ? "blend_motor_one" : "blend_motor_each") + " of " + std::to_string(terms),
-               {{terms, sizeof(T)}}, motors_of<T>(), {}, {}, {}};
+    Function f{"blend",
+               named<T>(one ? "blend_motor_one" : "blend_motor_each") + " of " + std::to_string(terms),
+               {{terms, sizeof(T)}},
+               motors_of<T>(),
+               {},
+               {},
+               {}};
     for (std::size_t k = 0; k < terms; ++k)
         f.inputs.push_back(motors_of<T>(one ? Stream::shared : Stream::apart));
     f.draw = [terms](Random &random, void *const *inputs) {
@@ -211,9 +226,7 @@ Function blend(std::size_t terms, bool one)
             controls.push_back(view_of<In<T>>(call.in[1 + k]));
         return Api<T>::blend_motor_each(view_of<Out<T>>(call.out), controls.data(), view, terms, call.count);
     }};
-    f.judge = [terms](const void *const *inputs, const void *out, bool) {
-        return judge_blend<T>(terms, inputs, out);
-    };
+    f.judge = [terms](const void *const *inputs, const void *out, bool) { return judge_blend<T>(terms, inputs, out); };
     return f;
 }
 

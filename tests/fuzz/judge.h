@@ -41,8 +41,8 @@ Stream motors_of(Stream::Kind kind = Stream::apart)
 
 // The two halves of a motor, each relative to a size of its own.
 template <class T>
-void near_motor(Verdict &verdict, const T *out, const Motor<Wide<T>> &right, Wide<T> rotation_scale, double rotation_bound,
-                Wide<T> translation_scale, double translation_bound, Wide<T> lost = 4)
+void near_motor(Verdict &verdict, const T *out, const Motor<Wide<T>> &right, Wide<T> rotation_scale,
+                double rotation_bound, Wide<T> translation_scale, double translation_bound, Wide<T> lost = 4)
 {
     Wide<T> components[8];
     components_of(right, components);

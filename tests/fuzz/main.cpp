@@ -1,5 +1,5 @@
-// Every function of the library on inputs at random, half of them at the edge of something, on every instruction set, held
-// to what is right and to its own bits. tools/fuzz starts it.
+// Every function of the library on inputs at random, half of them at the edge of something, on every instruction set,
+// held to what is right and to its own bits. tools/fuzz starts it.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -63,7 +63,8 @@ public:
         const std::vector<Outcome> outcomes = workers_.run({chosen, count, random.bits()});
         for (std::size_t k = 0; k < outcomes.size(); ++k)
             if (outcomes[k].element >= 0) {
-                findings_.found(at(function, k, static_cast<std::size_t>(outcomes[k].element)), outcomes[k].fault, 0, -1, {});
+                findings_.found(at(function, k, static_cast<std::size_t>(outcomes[k].element)), outcomes[k].fault, 0,
+                                -1, {});
                 alive_ = alive_ && !std::strstr(outcomes[k].fault, "the process ended");
             }
         for (const bool fuses : {true, false})
@@ -138,8 +139,10 @@ private:
 
 [[noreturn]] void explain(const char *wrong)
 {
-    std::printf("%s%smotorway_fuzz [--minutes N | --seconds N] [--seed S] [--round R] [--only FAMILY] [--isa NAME] [--errors]\n",
-                wrong, *wrong ? "\n" : "");
+    std::printf(
+        "%s%smotorway_fuzz [--minutes N | --seconds N] [--seed S] [--round R] [--only FAMILY] [--isa NAME] "
+        "[--errors]\n",
+        wrong, *wrong ? "\n" : "");
     std::exit(*wrong ? 2 : 0);
 }
 

@@ -23,8 +23,8 @@ class Memory {
 public:
     static constexpr int nowhere = -1;
 
-    // Of the streams one behind the other, or woven: in turn, element by element, all with the same stride. The last one,
-    // of the results, may lie over another, element over element and number over number, in any order.
+    // Of the streams one behind the other, or woven: in turn, element by element, all with the same stride. The last
+    // one, of the results, may lie over another, element over element and number over number, in any order.
     Memory(testing::Random &random, const std::vector<Stream> &streams, std::size_t count, bool woven, int over)
         : random_(random), streams_(streams), count_(count), offsets_(streams.size())
     {
@@ -68,12 +68,14 @@ public:
     const Place &place(std::size_t k) const { return places_[k]; }
 
     // Elements that are kept packed into stream k, and back.
-    void write(std::size_t k, const char *elements) { copy(k, [&](char *here, std::size_t at, std::size_t size) {
-        std::memcpy(here, elements + at, size);
-    }); }
-    void read(std::size_t k, char *elements) const { copy(k, [&](char *here, std::size_t at, std::size_t size) {
-        std::memcpy(elements + at, here, size);
-    }); }
+    void write(std::size_t k, const char *elements)
+    {
+        copy(k, [&](char *here, std::size_t at, std::size_t size) { std::memcpy(here, elements + at, size); });
+    }
+    void read(std::size_t k, char *elements) const
+    {
+        copy(k, [&](char *here, std::size_t at, std::size_t size) { std::memcpy(elements + at, here, size); });
+    }
 
     void remember() { before_ = bytes_; }
     // Whether nothing has changed since but what belongs to stream k.
@@ -151,7 +153,8 @@ private:
         const std::size_t count = stream.kind == Stream::shared ? 1 : count_;
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t c = 0; c < stream.components; ++c)
-                use(places_[k].component[c] + i * places_[k].stride, (i * stream.components + c) * stream.size, stream.size);
+                use(places_[k].component[c] + i * places_[k].stride, (i * stream.components + c) * stream.size,
+                    stream.size);
     }
 
     testing::Random &random_;

@@ -36,12 +36,13 @@ void near_translation(Verdict &verdict, const T *numbers, const Motor<Wide<T>> &
 
 // r and then a translation by t, of an r that need not be normalised.
 template <class T>
-void near_pose(Verdict &verdict, const T *out, const Quaternion<Wide<T>> &r, const Vector<Wide<T>> &t, double rotation_bound,
-               double translation_bound)
+void near_pose(Verdict &verdict, const T *out, const Quaternion<Wide<T>> &r, const Vector<Wide<T>> &t,
+               double rotation_bound, double translation_bound)
 {
     using R = Wide<T>;
     const R size = length(r);
-    near_motor(verdict, out, pose(r, t), size, rotation_bound, R(size * length(t) / 2), translation_bound, R(16 * (1 + size)));
+    near_motor(verdict, out, pose(r, t), size, rotation_bound, R(size * length(t) / 2), translation_bound,
+               R(16 * (1 + size)));
 }
 
 // ------------------------------------------------------------------------------------------------------------- poses
@@ -49,7 +50,8 @@ void near_pose(Verdict &verdict, const T *out, const Quaternion<Wide<T>> &r, con
 template <class T>
 Function motor_to_pose()
 {
-    Function f{"pose", named<T>("convert_motor_to_pose_each"), {motors_of<T>()}, {7, sizeof(T)}, draw_any_motor<T>, {}, {}};
+    Function f{"pose", named<T>("convert_motor_to_pose_each"), {motors_of<T>()}, {7, sizeof(T)}, draw_any_motor<T>, {},
+               {}};
     f.ways = {[](const Call &call) {
         return C<T>::motor_to_pose(view_of<typename C<T>::Xyzw>(call.out), view_of<typename Api<T>::Xyz>(call.out, 4),
                                    view_of<In<T>>(call.in[0]), call.count);
@@ -105,9 +107,14 @@ constexpr int signs[] = {1, -1, 1, 1, 1, 1, 1, -1};  // of rx ry rz rw dx dy dz 
 template <class T>
 Function dual_quaternions(bool from_motors)
 {
-    Function f{"dual quaternion",
-               named<T>(from_motors ? "convert_motor_to_dual_quaternion_each" : "convert_dual_quaternion_to_motor_each"),
-               {motors_of<T>()}, motors_of<T>(), draw_any_motor<T>, {}, {}};
+    Function f{
+        "dual quaternion",
+        named<T>(from_motors ? "convert_motor_to_dual_quaternion_each" : "convert_dual_quaternion_to_motor_each"),
+        {motors_of<T>()},
+        motors_of<T>(),
+        draw_any_motor<T>,
+        {},
+        {}};
     f.ways = {[from_motors](const Call &call) {
         return from_motors ? C<T>::motor_to_dual_quaternion(view_of<typename C<T>::DualQuaternions>(call.out),
                                                             view_of<In<T>>(call.in[0]), call.count)
@@ -152,8 +159,13 @@ unsigned last_row(mw_matrix_layout layout)
 template <class T>
 Function motor_to_matrix(mw_matrix_layout layout)
 {
-    Function f{"matrix", named<T>("convert_motor_to_matrix_each") + ", " + testing::name_of(layout), {motors_of<T>()},
-               {testing::numbers_of(layout), sizeof(T), Stream::adjacent}, draw_any_motor<T>, {}, {}};
+    Function f{"matrix",
+               named<T>("convert_motor_to_matrix_each") + ", " + testing::name_of(layout),
+               {motors_of<T>()},
+               {testing::numbers_of(layout), sizeof(T), Stream::adjacent},
+               draw_any_motor<T>,
+               {},
+               {}};
     f.ways = {[layout](const Call &call) {
         const typename C<T>::Matrices matrices{reinterpret_cast<T *>(call.out.component[0]), call.out.stride, layout};
         return C<T>::motor_to_matrix(matrices, view_of<In<T>>(call.in[0]), call.count);
@@ -186,9 +198,14 @@ template <class T>
 Function matrix_to_motor(mw_matrix_layout layout, unsigned flags)
 {
     const bool unchecked = flags == MW_ROTATION_MATRICES;
-    Function f{"matrix", named<T>("convert_matrix_to_motor_each") + ", " + testing::name_of(layout),
-               {{testing::numbers_of(layout), sizeof(T), Stream::adjacent, unchecked ? last_row(layout) : 0}, motors_of<T>()},
-               motors_of<T>(), {}, {}, {}};
+    Function f{
+        "matrix",
+        named<T>("convert_matrix_to_motor_each") + ", " + testing::name_of(layout),
+        {{testing::numbers_of(layout), sizeof(T), Stream::adjacent, unchecked ? last_row(layout) : 0}, motors_of<T>()},
+        motors_of<T>(),
+        {},
+        {},
+        {}};
     f.name += flags == MW_NEAREST_ROTATION ? ", nearest rotation" : unchecked ? ", unchecked" : "";
     // The second input is the motor that the matrix was made of, for the judge.
     f.draw = [layout, unchecked](Random &random, void *const *inputs) {
@@ -216,7 +233,8 @@ Function matrix_to_motor(mw_matrix_layout layout, unsigned flags)
         using R = Wide<T>;
         const auto motor = motor_of<R>(numbers<T>(inputs[1]));
         const T *const matrix = numbers<T>(inputs[0]);
-        const Vector<R> t{R(matrix[testing::place_in_matrix(layout, 0, 3)]), R(matrix[testing::place_in_matrix(layout, 1, 3)]),
+        const Vector<R> t{R(matrix[testing::place_in_matrix(layout, 0, 3)]),
+                          R(matrix[testing::place_in_matrix(layout, 1, 3)]),
                           R(matrix[testing::place_in_matrix(layout, 2, 3)])};
         const auto judge = [&](R sign) {
             Verdict verdict;
@@ -225,20 +243,28 @@ Function matrix_to_motor(mw_matrix_layout layout, unsigned flags)
             return verdict;
         };
         const Verdict verdict = judge(motor.r.w < 0 ? R(-1) : R(1));
-        return abs(motor.r.w) > 8 * epsilon<T>() ? verdict : Verdict::better(verdict, judge(motor.r.w < 0 ? R(1) : R(-1)));
+        return abs(motor.r.w) > 8 * epsilon<T>() ? verdict
+                                                 : Verdict::better(verdict, judge(motor.r.w < 0 ? R(1) : R(-1)));
     };
     return f;
 }
 
-// ---------------------------------------------------------------------------------------------- translations and rotors
+// ---------------------------------------------------------------------------------------------- translations and
+// rotors
 
 template <class T>
 Function motor_to_translation()
 {
-    Function f{"translation", named<T>("convert_motor_to_translation_each"), {motors_of<T>()}, {3, sizeof(T)},
-               draw_any_motor<T>, {}, {}};
+    Function f{"translation",
+               named<T>("convert_motor_to_translation_each"),
+               {motors_of<T>()},
+               {3, sizeof(T)},
+               draw_any_motor<T>,
+               {},
+               {}};
     f.ways = {[](const Call &call) {
-        return C<T>::motor_to_translation(view_of<typename Api<T>::Xyz>(call.out), view_of<In<T>>(call.in[0]), call.count);
+        return C<T>::motor_to_translation(view_of<typename Api<T>::Xyz>(call.out), view_of<In<T>>(call.in[0]),
+                                          call.count);
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
         Verdict verdict = of_any_length<T>();
@@ -252,7 +278,8 @@ Function motor_to_translation()
 template <class T>
 Function translation_to_motor()
 {
-    Function f{"translation", named<T>("convert_translation_to_motor_each"), {{3, sizeof(T)}}, motors_of<T>(), {}, {}, {}};
+    Function f{
+        "translation", named<T>("convert_translation_to_motor_each"), {{3, sizeof(T)}}, motors_of<T>(), {}, {}, {}};
     f.draw = [](Random &random, void *const *inputs) {
         Draw<T>(random).vector(static_cast<T *>(inputs[0]), 3);
         Draw<T>(random).spoil(static_cast<T *>(inputs[0]), 3);
@@ -265,7 +292,8 @@ Function translation_to_motor()
         using R = Wide<T>;
         Verdict verdict;
         if (judgeable<T>(inputs[0], 3))
-            near_motor(verdict, numbers<T>(out), translator(vector_of<R>(numbers<T>(inputs[0]))), R(1), 0, R(1), 0, R(1));
+            near_motor(verdict, numbers<T>(out), translator(vector_of<R>(numbers<T>(inputs[0]))), R(1), 0, R(1), 0,
+                       R(1));
         return verdict;
     };
     return f;
@@ -275,11 +303,17 @@ Function translation_to_motor()
 template <class T>
 Function rotors(bool from_motors, T lambda)
 {
-    Function f{"rotor", named<T>(from_motors ? "convert_motor_to_rotor_each" : "convert_rotor_to_motor_each"),
-               {motors_of<T>()}, motors_of<T>(), draw_any_motor<T>, {}, {}};
+    Function f{"rotor",
+               named<T>(from_motors ? "convert_motor_to_rotor_each" : "convert_rotor_to_motor_each"),
+               {motors_of<T>()},
+               motors_of<T>(),
+               draw_any_motor<T>,
+               {},
+               {}};
     f.ways = {[=](const Call &call) {
-        return from_motors ? C<T>::motor_to_rotor(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]), call.count, lambda)
-                           : C<T>::rotor_to_motor(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]), call.count, lambda);
+        return from_motors
+                   ? C<T>::motor_to_rotor(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]), call.count, lambda)
+                   : C<T>::rotor_to_motor(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]), call.count, lambda);
     }};
     f.judge = [=](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;
@@ -308,7 +342,8 @@ void add(Functions &functions)
     }
     for (const mw_matrix_layout layout : testing::all_matrix_layouts) {
         functions.push_back(motor_to_matrix<T>(layout));
-        for (const unsigned flags : {unsigned(MW_DEFAULT), unsigned(MW_ROTATION_MATRICES), unsigned(MW_NEAREST_ROTATION)})
+        for (const unsigned flags :
+             {unsigned(MW_DEFAULT), unsigned(MW_ROTATION_MATRICES), unsigned(MW_NEAREST_ROTATION)})
             functions.push_back(matrix_to_motor<T>(layout, flags));
     }
     functions.push_back(motor_to_translation<T>());

@@ -33,10 +33,9 @@ mw_status along_a_hierarchy(const Call &call)
         }
     const std::int32_t parents[] = {-1, 0};
     const std::size_t stride = sizeof locals[0];
-    const mw_status status =
-        Api<T>::compose_motor_hierarchy(Api<T>::motors_aos(locals.data(), stride),
-                                        Api<T>::const_motors_aos(locals.data(), stride), call.count * stride, parents, 2,
-                                        call.count, nullptr);
+    const mw_status status = Api<T>::compose_motor_hierarchy(Api<T>::motors_aos(locals.data(), stride),
+                                                             Api<T>::const_motors_aos(locals.data(), stride),
+                                                             call.count * stride, parents, 2, call.count, nullptr);
     for (std::size_t k = 0; k < 8; ++k)
         for (std::size_t i = 0; i < call.count; ++i)
             std::memcpy(call.out.component[k] + i * call.out.stride, &locals[call.count + i].s + k, sizeof(T));
@@ -49,10 +48,14 @@ template <class T>
 Function product(Same same)
 {
     const char *const names[] = {"compose_motor_each", "compose_motor_one_first", "compose_motor_one_then"};
-    Function f{"compose", named<T>(names[static_cast<int>(same)]),
+    Function f{"compose",
+               named<T>(names[static_cast<int>(same)]),
                {motors_of<T>(same == Same::first ? Stream::shared : Stream::apart),
                 motors_of<T>(same == Same::then ? Stream::shared : Stream::apart)},
-               motors_of<T>(), {}, {}, {}};
+               motors_of<T>(),
+               {},
+               {},
+               {}};
     f.draw = [](Random &random, void *const *inputs) {
         for (int k = 0; k < 2; ++k) {
             Draw<T>(random).motor(static_cast<T *>(inputs[k]));
@@ -61,7 +64,9 @@ Function product(Same same)
     };
     f.ways = {[same](const Call &call) {
         const Out<T> out = view_of<Out<T>>(call.out);
-        const auto one = [&](int k) { return reinterpret_cast<const typename Api<T>::Motor *>(call.in[k].component[0]); };
+        const auto one = [&](int k) {
+            return reinterpret_cast<const typename Api<T>::Motor *>(call.in[k].component[0]);
+        };
         const auto all = [&](int k) { return view_of<In<T>>(call.in[k]); };
         switch (same) {
         case Same::first: return Api<T>::compose_motor_one_first(out, one(0), all(1), call.count);
@@ -95,8 +100,8 @@ Function ratio(unsigned flags)
             draw.spoil(static_cast<T *>(inputs[k]), 8);
     };
     f.ways = {[flags](const Call &call) {
-        return Api<T>::ratio_motor_each(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]), view_of<In<T>>(call.in[1]),
-                                        call.count, flags);
+        return Api<T>::ratio_motor_each(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]),
+                                        view_of<In<T>>(call.in[1]), call.count, flags);
     }};
     f.judge = [flags](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;
@@ -119,7 +124,8 @@ template <class T>
 Function of_one(const char *name, mw_status (*call_it)(Out<T>, In<T>, std::size_t),
                 std::function<Verdict(const Motor<Wide<T>> &, const T *)> judge)
 {
-    Function f{name, named<T>((std::string(name) + "_motor_each").c_str()), {motors_of<T>()}, motors_of<T>(), {}, {}, {}};
+    Function f{name, named<T>((std::string(name) + "_motor_each").c_str()), {motors_of<T>()}, motors_of<T>(), {}, {},
+               {}};
     f.draw = [](Random &random, void *const *inputs) {
         Draw<T>(random).motor(static_cast<T *>(inputs[0]));
         Draw<T>(random).spoil(static_cast<T *>(inputs[0]), 8);
@@ -128,7 +134,8 @@ Function of_one(const char *name, mw_status (*call_it)(Out<T>, In<T>, std::size_
         return call_it(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]), call.count);
     }};
     f.judge = [judge](const void *const *inputs, const void *out, bool) {
-        return usable_motor<T>(inputs[0]) ? judge(motor_of<Wide<T>>(numbers<T>(inputs[0])), numbers<T>(out)) : Verdict();
+        return usable_motor<T>(inputs[0]) ? judge(motor_of<Wide<T>>(numbers<T>(inputs[0])), numbers<T>(out))
+                                          : Verdict();
     };
     return f;
 }

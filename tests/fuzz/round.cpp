@@ -32,14 +32,14 @@ int in_place(const Function &function, testing::Random &random)
 }
 
 // Elements [begin, begin + count) in some way, against the first results.
-Outcome repeat(const Function &function, const Batch &batch, std::size_t begin, std::size_t count, testing::Random &random,
-               const Results &results)
+Outcome repeat(const Function &function, const Batch &batch, std::size_t begin, std::size_t count,
+               testing::Random &random, const Results &results)
 {
     std::vector<Stream> streams = function.inputs;
     streams.push_back(function.output);
     const std::size_t last = streams.size() - 1, way = random.below(function.ways.size());
-    const bool woven = random.chance(4);
-    const int over = in_place(function, random);
+    const bool woven = !function.apart && random.chance(4);
+    const int over = function.apart ? Memory::nowhere : in_place(function, random);
     Memory memory(random, streams, count, woven, over);
     for (std::size_t k = 0; k < last; ++k) {
         const std::size_t element = streams[k].components * streams[k].size;
@@ -54,8 +54,8 @@ Outcome repeat(const Function &function, const Batch &batch, std::size_t begin, 
     Outcome outcome;
     const auto fail = [&](std::size_t i, const char *what) {
         outcome.element = static_cast<std::int64_t>(begin + i);
-        std::snprintf(outcome.fault, sizeof outcome.fault, "%s: way %zu, %zu elements from %zu on%s%s, out stride %zu", what,
-                      way, count, begin, woven ? ", woven" : "", over < 0 ? "" : ", in place", call.out.stride);
+        std::snprintf(outcome.fault, sizeof outcome.fault, "%s: way %zu, %zu elements from %zu on%s%s, out stride %zu",
+                      what, way, count, begin, woven ? ", woven" : "", over < 0 ? "" : ", in place", call.out.stride);
         return outcome;
     };
     if (status != MW_OK)

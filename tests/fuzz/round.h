@@ -19,8 +19,8 @@ struct Results {
     char elements[most_bytes];
 };
 
-// Runs the function as its first way and packed, and then in other ways, ranges and layouts, in place or not, which must
-// give the same bits. What did not is said in `fault`, and of which element.
+// Runs the function as its first way and packed, and then in other ways, ranges and layouts, in place or not, which
+// must give the same bits. What did not is said in `fault`, and of which element.
 struct Outcome {
     std::int64_t element = -1;
     char fault[240] = "";

@@ -52,7 +52,8 @@ Function rotation()
         const Motor<R> there = translator(point);
         const Motor<R> right = compose(compose(conjugate(there), Motor<R>{r, {}}), there);
         unit_motor(verdict, numbers<T>(out));
-        near_motor(verdict, numbers<T>(out), right, R(1), sizeof(T) == 4 ? 1 : 3, length(point), sizeof(T) == 4 ? 1 : 4);
+        near_motor(verdict, numbers<T>(out), right, R(1), sizeof(T) == 4 ? 1 : 3, length(point),
+                   sizeof(T) == 4 ? 1 : 4);
         return verdict;
     };
     return f;
@@ -114,8 +115,13 @@ template <class T>
 Function twist(bool position)
 {
     const std::size_t outputs = position ? 3 : 8;
-    Function f{"single", named<T>(position ? "twist_position" : "twist_pose"), {{11, sizeof(T)}}, {outputs, sizeof(T)},
-               {}, {}, {}};
+    Function f{"single",
+               named<T>(position ? "twist_position" : "twist_pose"),
+               {{11, sizeof(T)}},
+               {outputs, sizeof(T)},
+               {},
+               {},
+               {}};
     f.draw = [](Random &random, void *const *inputs) {
         using R = Wide<T>;
         Draw<T> draw(random);
@@ -125,8 +131,16 @@ Function twist(bool position)
         Vector<R> normal = cross(axis, other);
         if (length(normal) < R(0.01))
             normal = {0, 0, 0};
-        const R parts[] = {axis.x, axis.y, axis.z, 0, along * axis.x, along * axis.y, along * axis.z,
-                           across * normal.x, across * normal.y, across * normal.z};
+        const R parts[] = {axis.x,
+                           axis.y,
+                           axis.z,
+                           0,
+                           along * axis.x,
+                           along * axis.y,
+                           along * axis.z,
+                           across * normal.x,
+                           across * normal.y,
+                           across * normal.z};
         Draw<T>::round_to(in, parts, 10);
         in[3] = draw.angle();
         in[10] = draw.chance(2) ? static_cast<T>(draw.uniform(-2, 2)) : draw.usual();
@@ -145,7 +159,8 @@ Function twist(bool position)
         Verdict verdict;
         const T *const in = numbers<T>(inputs[0]);
         const R lambda = in[10], half = lambda * R(in[3]) / 2;
-        const Vector<R> axis = R(1 / length(vector_of<R>(in))) * vector_of<R>(in), along = vector_of<R>(in + 4), across = vector_of<R>(in + 7);
+        const Vector<R> axis = R(1 / length(vector_of<R>(in))) * vector_of<R>(in), along = vector_of<R>(in + 4),
+                        across = vector_of<R>(in + 7);
         const Motor<R> b{{half * axis, R(0)}, {R(lambda / 2) * (along + across), R(0)}};
         const Motor<R> right = exp(b);
         const R size = abs(lambda) * (length(along) + length(across));

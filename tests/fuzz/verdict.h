@@ -19,11 +19,13 @@ struct Finding {
 class Verdict {
 public:
     Verdict() = default;
-    // By what factor scales must stay below the largest number to be judged, and how much more of the smallest is lost.
+    // By what factor scales must stay below the largest number to be judged, and how much more of the smallest is
+    // lost.
     Verdict(long double headroom, long double footroom) : headroom_(headroom), footroom_(footroom) {}
 
-    // That `count` numbers are the right ones: the length of their difference in epsilons of `scale`, beside what underflow
-    // makes: `lost` of the smallest numbers. Where what is right nearly overflows, or its terms do, it may be anything.
+    // That `count` numbers are the right ones: the length of their difference in epsilons of `scale`, beside what
+    // underflow makes: `lost` of the smallest numbers. Where what is right nearly overflows, or its terms do, it may
+    // be anything.
     template <class T>
     void near(const char *what, const T *numbers, const Wide<T> *right, std::size_t count, Wide<T> scale, double bound,
               Wide<T> lost = 4)
@@ -57,7 +59,8 @@ public:
         for (const Finding &finding : findings_) {
             if (finding.error == 0)
                 continue;
-            const double badness = finding.wrong() ? 1 + (finding.error - finding.bound) : finding.error / finding.bound;
+            const double badness = finding.wrong() ? 1 + (finding.error - finding.bound)
+                                                   : finding.error / finding.bound;
             worst = badness <= worst ? worst : badness;
         }
         return worst;

@@ -1,5 +1,5 @@
-// The numbers that the fuzzer computes in: of many more digits than those it judges, and of so many more exponents that
-// products of eight of the largest or of the smallest are nothing special.
+// The numbers that the fuzzer computes in: of many more digits than those it judges, and of so many more exponents
+// that products of eight of the largest or of the smallest are nothing special.
 #ifndef MOTORWAY_TESTS_FUZZ_WIDE_H
 #define MOTORWAY_TESTS_FUZZ_WIDE_H
 
@@ -85,9 +85,9 @@ Wide<T> largest()
     return std::numeric_limits<T>::max();
 }
 
-// Where motors may have any length formulas take α times lengths, and the library leaves an α as it is that is no further
-// from 1 than 2^20, in double 2^200. By how much lengths must stay below the largest number, and by how much more than
-// usual is lost of those near the smallest.
+// Where motors may have any length formulas take α times lengths, and the library leaves an α as it is that is no
+// further from 1 than 2^20, in double 2^200. By how much lengths must stay below the largest number, and by how much
+// more than usual is lost of those near the smallest.
 template <class T>
 Wide<T> headroom()
 {

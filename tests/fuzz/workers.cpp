@@ -38,8 +38,7 @@ bool send(int to, const T &message)
 Workers::Workers(const Functions &functions, const std::vector<std::string> &isas)
 {
     signal(SIGPIPE, SIG_IGN);
-    void *const memory =
-        mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    void *const memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED)
         throw std::runtime_error("no memory to share with other processes");
     shared_ = static_cast<Shared *>(memory);
@@ -98,7 +97,8 @@ void Workers::serve(const Functions &functions, int requests, int outcomes, Resu
 {
     Request request;
     while (receive(requests, request))
-        if (!send(outcomes, fuzz::run(functions[request.function], shared_->batch, request.count, request.seed, results)))
+        if (!send(outcomes,
+                  fuzz::run(functions[request.function], shared_->batch, request.count, request.seed, results)))
             return;
 }
 

@@ -89,8 +89,8 @@ public:
             in.emplace_back(stream, layout, count);
             in[k].write(inputs_[k].data());
             call.in.push_back(in[k].place());
-            if (in_place && stream.kind == results.kind && stream.components == results.components &&
-                stream.size == results.size)
+            if (in_place && !function_.apart && stream.kind == results.kind &&
+                stream.components == results.components && stream.size == results.size)
                 call.out = call.in[over = k];
         }
         const mw_status status = function_.ways[way](call);
@@ -134,6 +134,7 @@ int main()
         memcheck::check(function, random);
     memcheck::check_single_motors();
     memcheck::check_motions();
-    std::printf("%zu functions of batches, and those of single motors and of motions, on %s\n", functions.size(), mw_isa());
+    std::printf("%zu functions of batches, and those of single motors and of motions, on %s\n", functions.size(),
+                mw_isa());
     return 0;
 }

@@ -11,8 +11,8 @@ namespace {
 
 using testing::Api;
 
-constexpr mw_motion_kind kinds[] = {MW_MOTION_ADDITIVE, MW_MOTION_MULTIPLICATIVE, MW_MOTION_CUMULATIVE, MW_MOTION_GENERATOR,
-                                    MW_MOTION_GENERATOR_KEYS};
+constexpr mw_motion_kind kinds[] = {MW_MOTION_ADDITIVE, MW_MOTION_MULTIPLICATIVE, MW_MOTION_CUMULATIVE,
+                                    MW_MOTION_GENERATOR, MW_MOTION_GENERATOR_KEYS};
 constexpr std::size_t control_count = 6, motion_count = 3;
 
 template <class T>
@@ -94,10 +94,15 @@ private:
         const std::vector<T> at = parameters(domain, count);
         Room<Motor> poses(count);
         Room<T> twists(6 * count);
-        const typename A::Bivectors bivectors = {twists.get(), twists.get() + count, twists.get() + 2 * count,
-                                                 twists.get() + 3 * count, twists.get() + 4 * count,
-                                                 twists.get() + 5 * count, sizeof(T)};
-        must(A::sample_motion_one(motors_at(poses), compiled, 1, at.data(), count, MW_CLAMP_PARAMETERS), "sample_motion_one");
+        const typename A::Bivectors bivectors = {twists.get(),
+                                                 twists.get() + count,
+                                                 twists.get() + 2 * count,
+                                                 twists.get() + 3 * count,
+                                                 twists.get() + 4 * count,
+                                                 twists.get() + 5 * count,
+                                                 sizeof(T)};
+        must(A::sample_motion_one(motors_at(poses), compiled, 1, at.data(), count, MW_CLAMP_PARAMETERS),
+             "sample_motion_one");
         poses.touch();
         must(A::sample_motion_twist_one(motors_at(poses), bivectors, compiled, 0, at.data(), count, MW_BODY_FRAME),
              "sample_motion_twist_one");
@@ -107,7 +112,8 @@ private:
         for (const std::size_t stride : {std::size_t(0), sizeof(T)}) {
             must(A::sample_motion_each(motors_at(poses), compiled, 0, at.data(), stride, some, MW_WRAP_PARAMETERS),
                  "sample_motion_each");
-            must(A::sample_motion_twist_each(motors_at(poses), bivectors, compiled, 0, at.data(), stride, some, MW_DEFAULT),
+            must(A::sample_motion_twist_each(motors_at(poses), bivectors, compiled, 0, at.data(), stride, some,
+                                             MW_DEFAULT),
                  "sample_motion_twist_each");
         }
         poses.touch();
@@ -159,7 +165,8 @@ private:
 
 #define MOTORWAY_APPLY_TO(operand, views, P)                                                                         \
     apply_to("apply_" #operand "_motion", mw_apply_##operand##_motion_##P, static_cast<mw_##views##_##P *>(nullptr), \
-             static_cast<mw_const_##views##_##P *>(nullptr), components_of(testing::Operand::views), compiled, domain);
+             static_cast<mw_const_##views##_##P *>(nullptr), components_of(testing::Operand::views), compiled,       \
+             domain);
 
 template <>
 void Motions<float>::apply(const mw_compiled_motion_f32 *compiled, const float *domain)
@@ -193,12 +200,12 @@ void Motions<T>::check_made()
         std::size_t size = 0;
         Arrays arrays(control_count, control_count + 2);
         Motion motion;
-        must(A::interpolate_keys(&motion, arrays.arrays, kind, 3, controls_.data(), times.data(), control_count, nullptr, &size,
-                                 &where),
+        must(A::interpolate_keys(&motion, arrays.arrays, kind, 3, controls_.data(), times.data(), control_count,
+                                 nullptr, &size, &where),
              "the size of interpolate_keys");
         Room<double> memory((size + 7) / 8);
-        must(A::interpolate_keys(&motion, arrays.arrays, kind, 3, controls_.data(), times.data(), control_count, memory.get(),
-                                 &size, &where),
+        must(A::interpolate_keys(&motion, arrays.arrays, kind, 3, controls_.data(), times.data(), control_count,
+                                 memory.get(), &size, &where),
              "interpolate_keys");
         arrays.touch(motion);
         if (kind != MW_MOTION_ADDITIVE)

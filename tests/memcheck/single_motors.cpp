@@ -58,12 +58,12 @@ void check_checks()
             matrices.get()[i * (16 + gap) + k] = k % 5 == 0;
     std::size_t first_bad = 0;
     T deviation;
-    must(Api<T>::check_motors(Api<T>::const_motors_aos(reinterpret_cast<typename Api<T>::Motor *>(motors.get()),
-                                                       sizeof(T[8 + gap])),
-                              count, &first_bad),
+    must(Api<T>::check_motors(
+             Api<T>::const_motors_aos(reinterpret_cast<typename Api<T>::Motor *>(motors.get()), sizeof(T[8 + gap])),
+             count, &first_bad),
          "check_motors");
-    must(ConvertApi<T>::check_matrices({matrices.get(), sizeof(T[16 + gap]), MW_MATRIX_ROWS_4X4}, count, T(0.01), &first_bad,
-                                       &deviation),
+    must(ConvertApi<T>::check_matrices({matrices.get(), sizeof(T[16 + gap]), MW_MATRIX_ROWS_4X4}, count, T(0.01),
+                                       &first_bad, &deviation),
          "check_matrices");
     touch(deviation);
 }
