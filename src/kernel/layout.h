@@ -1,7 +1,7 @@
 // How elements get from memory into one register a component, and back: one reader and one writer a layout.
 //
 // All have the same interface: load(i, v) and store(i, v) move the `width` elements from element i;
-// load_partial(i, n, v) and store_partial(i, n, v) the n < width elements from element i. Not a byte outside these
+// load_partial(i, n, v) and store_partial(i, n, v) the n <= width elements from element i. Not a byte outside these
 // elements is touched; lanes without an element hold ones. Writers of whole registers also have store_streaming(i, v),
 // a store past the caches.
 #pragma once

@@ -379,6 +379,8 @@ inline void store_first(float *to, __m128 lanes, int n)
 }
 inline void store_partial(float *to, const floats &value, int n)
 {
+    if (n == 8) // up to a cache line there may be a whole register
+        return store(to, value);
     const __m128 low = _mm256_castps256_ps128(value), high = _mm256_extractf128_ps(value, 1);
     if (n & 4)
         _mm_storeu_ps(to, low);
@@ -386,6 +388,8 @@ inline void store_partial(float *to, const floats &value, int n)
 }
 inline void store_partial(double *to, const doubles &value, int n)
 {
+    if (n == 4)
+        return store(to, value);
     const __m128d low = _mm256_castpd256_pd128(value), high = _mm256_extractf128_pd(value, 1);
     if (n & 2)
         _mm_storeu_pd(to, low);
