@@ -561,6 +561,13 @@ std::vector<BadInput> option_cases()
          {"pose", "mesh.ply", "--motion", "motion.json", "--frames", "2", "--out", "out.obj"},
          "frame 1: vertex 0 ",
          "for floats"},
+        {"PoseBeyondOneFloat",
+         {{"motion.json", R"({"motorway": 1, "kind": "linear", "controls": [{"steps": []},
+             {"steps": [{"translate": [3.4e38, 0, 0]}]}]})"},
+          {"mesh.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty double y\n"
+                       "property float z\nend_header\n3e38 0 0\n"}},
+         {"pose", "mesh.ply", "--motion", "motion.json", "--frames", "2", "--out", "out.ply"},
+         "vertex 0 (counting from 0): x lands too far away for a float"},
         {"IsaThatCannotRun", {}, {}, "MOTORWAY_ISA: ", "", nonsense},
         {"IsaThatCannotRunForInfo", {}, {"info"}, "MOTORWAY_ISA: ", "", nonsense},
         {"DiskFull", {}, {}, "out.glb: cannot be written", "", small_disk},

@@ -63,7 +63,7 @@ TEST_F(MeshFiles, CoordinatesOfMapsKeepTheirDigits)
     const Mesh cube = last_mesh(".obj");
     ASSERT_EQ(cube.vertex_count(), 8u);
     /* 30 degrees about the first corner: (10, 0) becomes (8.66, 5), and (10, 10) becomes (3.66, 13.66). */
-    const std::array<double, 2> fifth = {388104.7832540378, 3949001.456}, eighth = {388099.7832540378, 3949010.1162540378};
+    const double fifth[] = {388104.7832540378, 3949001.456}, eighth[] = {388099.7832540378, 3949010.1162540378};
     for (std::size_t axis = 0; axis < 2; ++axis) {
         EXPECT_NEAR(cube.positions[12 + axis], fifth[axis], 2e-9);
         EXPECT_NEAR(cube.positions[21 + axis], eighth[axis], 2e-9);
@@ -216,7 +216,7 @@ TEST_F(MeshFiles, ColoursOfObjMayBeBytesOrFloats)
     pose_text("a.obj", "v 0 0 0 255 128 0\nv 1 0 0\n", ".ply");
     EXPECT_TRUE(has(last(".ply"), "property uchar red\n"));
     pose_text("b.obj", "v 0 0 0 0.1234 0.5 0 0.25\n", ".ply");
-    EXPECT_TRUE(has(last(".ply"), "property float red\nproperty float green\nproperty float blue\nproperty float alpha"));
+    EXPECT_TRUE(has(last(".ply"), "property float blue\nproperty float alpha\n"));
     EXPECT_EQ(last_mesh(".ply").colours, (std::vector<float>{0.1234f, 0.5f, 0, 0.25f}));
 }
 

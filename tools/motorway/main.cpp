@@ -35,8 +35,10 @@ A mistake in the input ends with one line on the standard error, exit code 2, an
 
 void add_pose_command(CLI::App &app, PoseOptions &options)
 {
-    CLI::App *pose = app.add_subcommand("pose", "Move a mesh along a motion, into an animation or numbered files");
-    pose->add_option("MESH", options.mesh, "the mesh, .obj or .ply (ascii or binary)")->required();
+    CLI::App *pose =
+        app.add_subcommand("pose", "Move a mesh or cloud of points along a motion, into an animation or numbered files");
+    pose->add_option("MESH", options.mesh, "the mesh or cloud of points, .obj or .ply (docs/mesh-files.md)")
+        ->required();
     pose->add_option("--motion", options.motion, "the motion, a .json file (docs/motion-format.md)")
         ->required()
         ->type_name("FILE");

@@ -1,4 +1,4 @@
-/* What a picture of a motion shows, in space: the mesh at some parameters, the path of its origin, the control poses. */
+/* What a picture of a motion shows, in space: the mesh at some parameters, the path of its origin, the controls. */
 #ifndef MOTORWAY_TOOL_PICTURE_SCENE_H
 #define MOTORWAY_TOOL_PICTURE_SCENE_H
 

@@ -100,7 +100,8 @@ private:
     {
         const PlyProperty *const corners = corner_list(element), *const uvs = uv_list(element);
         const PlySlots slots = ply_face_slots(element);
-        if (std::count(slots.begin(), slots.end(), ply_slot::NOWHERE) < static_cast<std::ptrdiff_t>(slots.size()))
+        const bool has_normals = std::find(slots.begin(), slots.end(), ply_slot::FACE_NORMAL) != slots.end();
+        if (has_normals)
             will_move(number, slots);
         mesh_.in_double = mesh_.in_double || ply_moves_doubles(element, slots);
         leave_all_but(element, {corners, uvs}, slots);
@@ -121,7 +122,7 @@ private:
                 else
                     skip_ply_property(*values_, property, element.name, row);
             }
-            if (!source_->moved.empty() && source_->moved.back().element == number)
+            if (has_normals)
                 mesh_.face_normals.insert(mesh_.face_normals.end(), normal, normal + 3);
             if (corners)
                 add_face(face, face_uvs);

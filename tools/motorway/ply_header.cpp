@@ -1,6 +1,7 @@
 #include "ply_header.h"
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 #include "error.h"
@@ -110,9 +111,9 @@ private:
         const auto count = words_.size() == 3 ? parse_integer(words_[2]) : std::nullopt;
         if (!count || *count < 0)
             throw error("an element needs a name and a count; write \"element vertex 8\"");
-        for (const PlyElement &element : header_.elements)
-            if (element.name == words_[1])
-                throw error("a second element " + in_quotes(words_[1]) + "; keep one");
+        if (!element_names_.emplace(words_[1]).second)
+            throw error("a second element " + in_quotes(words_[1]) + "; keep one");
+        property_names_.clear();
         header_.elements.push_back({std::string(words_[1]), static_cast<std::uint64_t>(*count), line_, {}});
     }
 
@@ -138,11 +139,9 @@ private:
         property.type_at = static_cast<std::size_t>(type_word.data() - text_.data());
         property.type_size = type_word.size();
         property.name = std::string(words_.back());
-        std::vector<PlyProperty> &properties = header_.elements.back().properties;
-        for (const PlyProperty &other : properties)
-            if (other.name == property.name)
-                throw error("a second property " + in_quotes(property.name) + "; keep one");
-        properties.push_back(property);
+        if (!property_names_.insert(property.name).second)
+            throw error("a second property " + in_quotes(property.name) + "; keep one");
+        header_.elements.back().properties.push_back(property);
     }
 
     PlyType type(std::string_view name) const
@@ -176,6 +175,7 @@ private:
     std::string path_;
     std::size_t position_ = 0, line_ = 0;
     std::vector<std::string_view> words_;
+    std::set<std::string> element_names_, property_names_; /* the latter of the last element */
     PlyHeader header_;
 };
 

@@ -1,14 +1,18 @@
 #include "ply_source.h"
 
-#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
+#include "error.h"
 #include "source_text.h"
 #include "text.h"
 
 namespace motorway::tool {
 namespace {
+
+constexpr double LARGEST_FLOAT = std::numeric_limits<float>::max();
 
 template <class Bits, class Real> void append_bits(std::string &out, Real value, bool big_endian)
 {
@@ -75,9 +79,12 @@ std::size_t PlySource::append_element(std::string &body, const Moved &moved_elem
             skip_ply_property(*values, property, element.name, row);
             if (slots[k] >= ply_slot::MOVED)
                 continue;
+            const double number = vectors_of(pose, slots[k])[3 * row + slots[k] % 3];
+            if (property.type == PlyType::float32 && std::isfinite(number) && std::abs(number) > LARGEST_FLOAT)
+                throw Error(element.name + " " + std::to_string(row) + " (counting from 0)",
+                            property.name + " lands too far away for a float; use smaller lengths");
             body.append(text, copied, values->begin() - copied);
-            append_ply_number(body, vectors_of(pose, slots[k])[3 * row + slots[k] % 3],
-                              ply_written_type(property.type), header.format);
+            append_ply_number(body, number, ply_written_type(property.type), header.format);
             copied = values->end();
         }
     return copied;

@@ -16,19 +16,43 @@ struct SlotName {
     std::size_t slot;
 };
 constexpr SlotName SLOT_NAMES[] = {
-    {"x", POSITION},       {"y", POSITION + 1},     {"z", POSITION + 2},
-    {"nx", NORMAL},        {"ny", NORMAL + 1},      {"nz", NORMAL + 2},
-    {"normal_x", NORMAL},  {"normal_y", NORMAL + 1}, {"normal_z", NORMAL + 2},
-    {"tx", TANGENT},       {"ty", TANGENT + 1},     {"tz", TANGENT + 2},
-    {"tangent_x", TANGENT}, {"tangent_y", TANGENT + 1}, {"tangent_z", TANGENT + 2},
-    {"bx", BITANGENT},     {"by", BITANGENT + 1},   {"bz", BITANGENT + 2},
-    {"bitangent_x", BITANGENT}, {"bitangent_y", BITANGENT + 1}, {"bitangent_z", BITANGENT + 2},
-    {"tw", SIGN},          {"tangent_w", SIGN},
-    {"red", COLOUR},       {"green", COLOUR + 1},   {"blue", COLOUR + 2},   {"alpha", COLOUR + 3},
-    {"diffuse_red", COLOUR}, {"diffuse_green", COLOUR + 1}, {"diffuse_blue", COLOUR + 2},
+    {"x", POSITION},
+    {"y", POSITION + 1},
+    {"z", POSITION + 2},
+    {"nx", NORMAL},
+    {"ny", NORMAL + 1},
+    {"nz", NORMAL + 2},
+    {"normal_x", NORMAL},
+    {"normal_y", NORMAL + 1},
+    {"normal_z", NORMAL + 2},
+    {"tx", TANGENT},
+    {"ty", TANGENT + 1},
+    {"tz", TANGENT + 2},
+    {"tangent_x", TANGENT},
+    {"tangent_y", TANGENT + 1},
+    {"tangent_z", TANGENT + 2},
+    {"bx", BITANGENT},
+    {"by", BITANGENT + 1},
+    {"bz", BITANGENT + 2},
+    {"bitangent_x", BITANGENT},
+    {"bitangent_y", BITANGENT + 1},
+    {"bitangent_z", BITANGENT + 2},
+    {"tw", SIGN},
+    {"tangent_w", SIGN},
+    {"red", COLOUR},
+    {"green", COLOUR + 1},
+    {"blue", COLOUR + 2},
+    {"alpha", COLOUR + 3},
+    {"diffuse_red", COLOUR},
+    {"diffuse_green", COLOUR + 1},
+    {"diffuse_blue", COLOUR + 2},
     {"diffuse_alpha", COLOUR + 3},
-    {"s", UV},             {"u", UV},               {"texture_u", UV},
-    {"t", UV + 1},         {"v", UV + 1},           {"texture_v", UV + 1},
+    {"s", UV},
+    {"t", UV + 1},
+    {"u", UV},
+    {"v", UV + 1},
+    {"texture_u", UV},
+    {"texture_v", UV + 1},
 };
 
 /* Slots that are of no use one without the other. */
@@ -77,7 +101,7 @@ PlySlots ply_slots(const PlyElement &vertices, const std::string &path, std::set
     PlySlots slots;
     for (const PlyProperty &property : vertices.properties) {
         const std::size_t slot = slot_of(property);
-        slots.push_back(has(slots, slot) ? NOWHERE : slot);
+        slots.push_back(slot != NOWHERE && has(slots, slot) ? NOWHERE : slot);
     }
     for (const auto &[first, count] : GROUPS)
         for (std::size_t k = 0; k < count; ++k)

@@ -1,5 +1,7 @@
 #include "summary.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 
 #include "text.h"
@@ -32,9 +34,12 @@ void print_mesh(const std::string &path, const Mesh &mesh, const Scaling &scalin
         print_line("", "scaled by " + precise(scaling.factor) + " (" + scaling.reason + ")");
     for (const std::string &note : mesh.notes)
         print_line("", note);
+    constexpr std::size_t MOST_LISTED = 12;
     std::string listed;
-    for (const std::string &item : left_out)
-        listed += (listed.empty() ? "left out: " : ", ") + item;
+    for (std::size_t k = 0; k < std::min(left_out.size(), MOST_LISTED); ++k)
+        listed += (k ? ", " : "left out: ") + left_out[k];
+    if (left_out.size() > MOST_LISTED)
+        listed += " and " + grouped(std::uint64_t{left_out.size() - MOST_LISTED}) + " others";
     if (!listed.empty())
         print_line("", listed);
 }
