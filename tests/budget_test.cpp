@@ -111,7 +111,9 @@ TEST(Budget, a_product_with_one_factor_fixed_takes_no_more)
 
 TEST(Budget, exponentials_and_logarithms)
 {
-    EXPECT_LE(row("exp_motor_each").operations, 60);
+    // 60, and 11 more for angles of every size: to find those that are too large, signs of half turns, and the last bit
+    // of the inverse of the angle.
+    EXPECT_LE(row("exp_motor_each").operations, 71);
     EXPECT_LE(row("exp_motor_each").divisions, 2);
     EXPECT_LE(row("log_motor_each_unit").operations, 50);
     EXPECT_EQ(row("log_motor_each_unit").divisions, 0);
@@ -135,7 +137,7 @@ TEST(Budget, interpolation_and_powers)
     EXPECT_EQ(row("slerp_motor_each").divisions, 0);
     EXPECT_LT(row("slerp_motor_one").operations, row("slerp_motor_each").operations);
     EXPECT_EQ(row("slerp_motor_one").divisions, 0);
-    EXPECT_LE(row("slerp_long_motor_each").operations, 220);
+    EXPECT_LE(row("slerp_long_motor_each").operations, 221);
     EXPECT_LT(row("slerp_long_motor_one").operations, row("slerp_long_motor_each").operations);
     EXPECT_LE(row("sqrt_motor_each").operations, 18);
     EXPECT_LE(row("power_motor_each").operations,
@@ -174,11 +176,11 @@ TEST(Budget, conversions)
     const Cost most[] = {{"motor_to_pose", 26, 2},          {"pose_to_motor", 17, 0},
                          {"motor_to_dual_quaternion", 2, 0}, {"dual_quaternion_to_motor", 2, 0},
                          {"motor_to_rows_3x4", 43, 1},      {"rows_3x4_to_motor", 63, 2},
-                         {"motor_to_axis_angle", 63, 5},    {"axis_angle_to_motor", 38, 0},
-                         {"motor_to_euler", 115, 8},        {"motor_to_euler_proper", 108, 8},
-                         {"euler_to_motor", 131, 0},        {"translation_to_motor", 3, 0},
-                         {"motor_to_translation", 19, 1},   {"motor_to_screw", 107, 6},
-                         {"screw_to_motor", 38, 0},         {"rotor_to_motor", 10, 0}};
+                         {"motor_to_axis_angle", 67, 5},    {"axis_angle_to_motor", 45, 0},
+                         {"motor_to_euler", 133, 8},        {"motor_to_euler_proper", 122, 8},
+                         {"euler_to_motor", 161, 0},        {"translation_to_motor", 3, 0},
+                         {"motor_to_translation", 19, 1},   {"motor_to_screw", 111, 6},
+                         {"screw_to_motor", 45, 0},         {"rotor_to_motor", 10, 0}};
     for (const Cost &cost : most) {
         const KernelRow &r = row("convert_" + std::string(cost.name) + "_each");
         EXPECT_LE(r.operations, cost.operations) << r.name;
