@@ -20,18 +20,17 @@ namespace {
 template <class T>
 class MotorLengthTest : public ::testing::Test {
 protected:
-    using A = Api<T>;
-    using Motor = typename A::Motor;
+    using Motors = std::vector<typename Api<T>::Motor>;
 
     static constexpr std::size_t count = 37;
     // α = s² + ... of a motor of length 1 times 2^k is a normal number.
     static constexpr int longest = (std::numeric_limits<T>::max_exponent - 2) / 2,
                          shortest = (std::numeric_limits<T>::min_exponent + 2) / 2;
 
-    static std::vector<Motor> unit_motors()
+    static Motors unit_motors()
     {
         Random random(1);
-        std::vector<Motor> motors;
+        Motors motors;
         for (std::size_t i = 0; i < count; ++i) {
             double c[8];
             for (double &number : c)
@@ -43,17 +42,17 @@ protected:
         return motors;
     }
 
-    static std::vector<Motor> times(std::vector<Motor> motors, int power)
+    static Motors times(Motors motors, int power)
     {
         const T factor = std::ldexp(T(1), power);
-        for (Motor &m : motors)
+        for (auto &m : motors)
             for (T *c : {&m.s, &m.b12, &m.b13, &m.b23, &m.b1i, &m.b2i, &m.b3i, &m.w})
                 *c *= factor;
         return motors;
     }
 
-    static auto in(const std::vector<Motor> &motors) { return A::const_motors_aos(motors.data(), sizeof(Motor)); }
-    static auto out(std::vector<Motor> &motors) { return A::motors_aos(motors.data(), sizeof(Motor)); }
+    static auto in(const Motors &motors) { return Api<T>::const_motors_aos(motors.data(), sizeof motors[0]); }
+    static auto out(Motors &motors) { return Api<T>::motors_aos(motors.data(), sizeof motors[0]); }
 
     template <class Numbers>
     static bool same_bits(const Numbers &a, const Numbers &b)
@@ -76,7 +75,7 @@ protected:
         }
     }
 
-    static void scale(std::vector<Motor> &motors, int power) { motors = times(motors, power); }
+    static void scale(Motors &motors, int power) { motors = times(motors, power); }
     static void scale(std::vector<T> &, int) {}
 };
 
