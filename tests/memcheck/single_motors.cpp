@@ -53,8 +53,8 @@ void check_checks()
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t k = 0; k < 8; ++k)
             motors.get()[i * (8 + gap) + k] = k == 0;
-    for (std::size_t i = 0; i < count; ++i)  // the last rows are not read
-        for (std::size_t k = 0; k < 12; ++k)
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t k = 0; k < 16; ++k)
             matrices.get()[i * (16 + gap) + k] = k % 5 == 0;
     std::size_t first_bad = 0;
     T deviation;
