@@ -289,6 +289,22 @@ TEST_F(MeshFiles, GlbGivesNormalsToCornersThatHaveNone)
     EXPECT_EQ(normals, (std::vector<float>{1, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 1}));
 }
 
+// glTF has no numbers that are none.
+TEST_F(MeshFiles, GlbHasFiniteNumbersOnly)
+{
+    pose_text("mesh.ply",
+              "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+              "property float nx\nproperty float ny\nproperty float nz\nproperty double s\nproperty double t\n"
+              "property float red\nproperty float green\nproperty float blue\nelement face 1\n"
+              "property list uchar int vertex_indices\nend_header\n0 0 0 nan 0 0 nan 0 nan 1 1\n"
+              "1 0 0 0 inf 0 1e300 1 1 inf 1\n0 1 0 0 0 0 -inf 1 1 1 -nan\n3 0 1 2\n",
+              ".glb");
+    const Gltf gltf(folder_.path() / "all.glb");
+    for (const auto &[name, accessor] : gltf.model.meshes.at(0).primitives.at(0).attributes)
+        for (float value : gltf.floats(accessor))
+            EXPECT_TRUE(std::isfinite(value)) << name;
+}
+
 TEST_F(MeshFiles, GlbHasTangents)
 {
     pose_text("mesh.ply",

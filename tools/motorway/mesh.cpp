@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "error.h"
 #include "files.h"
@@ -25,6 +26,11 @@ bool Mesh::has_finite_position(std::size_t vertex) const
 {
     const double *p = &positions[3 * vertex];
     return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+float drawable(double number)
+{
+    return std::abs(number) <= std::numeric_limits<float>::max() ? static_cast<float>(number) : 0.0f;
 }
 
 double Box::longest_side() const

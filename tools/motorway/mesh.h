@@ -75,6 +75,9 @@ public:
     virtual std::string write(const Pose &pose) const = 0;
 };
 
+/* A number that is only drawn, as a float; one that no float can hold becomes 0. */
+float drawable(double number);
+
 struct Box {
     std::array<double, 3> low, high;
 

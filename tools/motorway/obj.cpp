@@ -111,14 +111,14 @@ private:
         if (mesh_.colours.empty() && !has_colour)
             return;
         for (std::size_t k = 4; k < 8; ++k)
-            mesh_.colours.push_back(has_colour ? static_cast<float>(number_or(k, 1)) : 1.0f);
+            mesh_.colours.push_back(has_colour ? drawable(number_or(k, 1)) : 1.0f);
         mesh_.has_alpha = mesh_.has_alpha || words_.size() >= 8;
     }
 
     void read_uv()
     {
         for (std::size_t k = 1; k <= 2; ++k)
-            mesh_.uvs.push_back(static_cast<float>(number_or(k, 0)));
+            mesh_.uvs.push_back(drawable(number_or(k, 0)));
         if (words_.size() > 3 && number_or(3, 0) != 0)
             beyond_.insert("third texture coordinates");
     }

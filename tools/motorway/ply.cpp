@@ -231,7 +231,7 @@ private:
     {
         const std::uint64_t count = read_ply_length(*values_, list, name, row);
         for (std::uint64_t k = 0; k < count; ++k)
-            out.push_back(static_cast<float>(values_->real(list.type, name, row)));
+            out.push_back(drawable(values_->real(list.type, name, row)));
     }
 
     void add_face(const std::vector<std::uint32_t> &face, const std::vector<float> &uvs)

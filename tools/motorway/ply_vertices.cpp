@@ -167,9 +167,9 @@ void read_ply_vertices(Mesh &mesh, const PlyElement &vertices, const PlySlots &s
         if (signs)
             mesh.tangent_signs.push_back(value[SIGN] < 0 ? -1.0f : 1.0f);
         for (std::size_t k = COLOUR; colours && k < COLOUR + 4; ++k)
-            mesh.colours.push_back(static_cast<float>(value[k]));
+            mesh.colours.push_back(drawable(value[k]));
         for (std::size_t k = UV; uvs && k < UV + 2; ++k)
-            mesh.uvs.push_back(static_cast<float>(value[k]));
+            mesh.uvs.push_back(drawable(value[k]));
     }
 }
 

@@ -88,7 +88,7 @@ double pose_frames(OutputFiles &out, const PoseOptions &options, const Mesh &mes
 }
 
 /* What can be drawn of a mesh, each corner with a normal. */
-Mesh drawable(const Mesh &mesh)
+Mesh drawable_part(const Mesh &mesh)
 {
     Mesh part = finite_part(mesh);
     add_missing_normals(part);
@@ -140,7 +140,7 @@ void run_pose(const PoseOptions &options)
     Mesh mesh = read_mesh(options.mesh);
     const Scaling scaling = choose_scale(options.scale, motion, mesh);
     scale_mesh(mesh, scaling.factor, options.mesh);
-    const Mesh drawn = drawable(mesh);
+    const Mesh drawn = drawable_part(mesh);
     const std::vector<mw_motor_f64> motors =
         sample(motion, even_parameters(motion, static_cast<std::size_t>(options.frames)), options.motion);
     const std::vector<Edge> measured = finite_edges(mesh);
