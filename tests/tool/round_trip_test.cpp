@@ -217,6 +217,14 @@ TEST(PlyRoundTrip, FindsTheDataBehindAnyLineEnd)
         }
 }
 
+TEST(PlyRoundTrip, TakesAHeaderThatMixesLineEnds)
+{
+    const std::string vertex = "property float x\nproperty float y\r\nproperty float z\r";
+    EXPECT_EQ(posed_ply("ply\rformat ascii 1.0\relement vertex 1\n" + vertex + "end_header\n1 2 3\rend_header\r"),
+              "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+              "end_header\n9 18 33\nend_header\n");
+}
+
 TEST(PlyRoundTrip, KeepsNotANumberInItsPoint)
 {
     const std::string header = std::string("ply\nformat ascii 1.0\n") + PLY_VERTEX + "end_header\n";

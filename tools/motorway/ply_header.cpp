@@ -209,19 +209,18 @@ bool ply_is_integer(PlyType type)
 
 std::size_t ply_header_size(std::string_view contents)
 {
-    const std::size_t first = contents.find_first_of("\r\n");
-    if (first == std::string_view::npos)
-        return contents.size();
-    const bool ends_with_cr = contents[first] == '\r' && contents.substr(first, 2) != "\r\n";
-    for (std::size_t begin = 0; begin < contents.size();) {
-        const std::size_t end = contents.find(ends_with_cr ? '\r' : '\n', begin);
+    const auto ends_with_crlf = [&](std::size_t at) { return contents.substr(at, 2) == "\r\n"; };
+    const std::size_t first = std::min(contents.find_first_of("\r\n"), contents.size());
+    const bool only_cr = contents.substr(first, 1) == "\r" && !ends_with_crlf(first);
+    for (std::size_t begin = 0;;) {
+        const std::size_t end = contents.find_first_of("\r\n", begin);
         if (end == std::string_view::npos)
-            break;
+            return contents.size();
+        const std::size_t next = end + (ends_with_crlf(end) && !only_cr ? 2 : 1);
         if (first_word(contents.substr(begin, end - begin)) == "end_header")
-            return end + 1;
-        begin = end + 1;
+            return next;
+        begin = next;
     }
-    return contents.size();
 }
 
 PlyHeader read_ply_header(const std::string &text, std::uint64_t body_size, const std::string &path)
