@@ -155,7 +155,24 @@ def error_bound(name: str, precision: str, weight: int = 0) -> Fraction:
 
 # ------------------------------------------------------------------------------------------------- real numbers
 
-PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899")
+PI_DIGITS = 500  # more than the bits of 1/(2π) below take
+
+
+def pi_by_machin() -> Fraction:
+    def arctan_of_inverse(n: int) -> Decimal:
+        power, total, k = 1 / Decimal(n), Decimal(0), 0
+        while total + power / (2 * k + 1) != total:
+            total += (-1) ** k * power / (2 * k + 1)
+            power /= n * n
+            k += 1
+        return total
+
+    with localcontext() as context:
+        context.prec = PI_DIGITS
+        return Fraction(16 * arctan_of_inverse(5) - 4 * arctan_of_inverse(239))
+
+
+PI = pi_by_machin()
 
 
 def parts(value: Fraction, precision: str) -> Tuple[Fraction, Fraction]:
@@ -197,24 +214,9 @@ TURN_WORDS = 42
 
 def inverse_two_pi_words() -> List[int]:
     """The bits of 1/(2π) behind the point, in words of 32, the highest first."""
-    with localcontext() as context:
-        context.prec = 500
-        bits = int(Decimal(2) ** (32 * TURN_WORDS) / (2 * decimal_pi()))
+    bits = int(2 ** (32 * TURN_WORDS) / (2 * PI))
     return [bits >> (32 * (TURN_WORDS - 1 - k)) & 0xFFFFFFFF for k in range(TURN_WORDS)]
 
-
-def decimal_pi() -> Decimal:
-    """π to the precision of the context, by Machin's formula."""
-
-    def arctan_of_inverse(n: int) -> Decimal:
-        power, total, k = 1 / Decimal(n), Decimal(0), 0
-        while total + power / (2 * k + 1) != total:
-            total += (-1) ** k * power / (2 * k + 1)
-            power /= n * n
-            k += 1
-        return total
-
-    return 16 * arctan_of_inverse(5) - 4 * arctan_of_inverse(239)
 
 # ------------------------------------------------------------------------------------------------------ rounding
 

@@ -22,7 +22,8 @@ STEPS = {
     "at_least": 1, "nearest": 1, "magnitude": 1, "with_sign": 1, "if_less": 2, "less_half_turns": 1,
     "flip_if_odd": 3, "refine": 3, "trim": 9, "trim_unless_fused": 0, "unwind": 5, "unwind_angle": 3,
 }
-SEVERAL_VALUES = {"unwind": "bivector", "trim": "rotor", "trim_unless_fused": "rotor"}  # steps that make more than one: the type that holds them
+# Steps that make more than one value: the type that holds them.
+SEVERAL_VALUES = {"unwind": "bivector", "trim": "rotor", "trim_unless_fused": "rotor"}
 SLOW = ("div", "sqrt")
 # A 512-bit division or square root keeps its unit busy for as long as about 32 fused multiply-adds take.
 SLOW_WEIGHT = 32
