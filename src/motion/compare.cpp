@@ -1,4 +1,5 @@
 // The largest distance between two motions.
+#include "../scalar_math.h"
 #include "evenly.h"
 #include "sample.h"
 
@@ -109,7 +110,7 @@ mw_status compare(Distance *largest, const typename c_types<T>::compiled *first,
             }
         }
     }
-    found.distance = static_cast<T>(std::sqrt(square));
+    found.distance = static_cast<T>(square_root(square));
     *largest = found;
     return MW_OK;
 }
