@@ -30,7 +30,8 @@ void rotate(square &k, square &vectors, int p, int q)
     if (std::fabs(k[p][q]) <= negligible * (std::fabs(k[p][p]) + std::fabs(k[q][q])))
         return;
     const double cotangent = (k[q][q] - k[p][p]) / (2 * k[p][q]);
-    const double t = std::copysign(1 / (std::fabs(cotangent) + length_of(1, cotangent, 0)), cotangent);
+    const double tangent = 1 / (std::fabs(cotangent) + length_of(1, cotangent, 0));
+    const double t = std::signbit(cotangent) ? -tangent : tangent;
     const double c = 1 / square_root(1 + t * t), s = t * c;
     const auto turn = [c, s](double &a, double &b) {
         const double old = a;
