@@ -127,20 +127,21 @@ void draw_element(Random &random, Moved moved, T *components, std::size_t count)
 // ------------------------------------------------------------------------------------------------------ what is right
 
 template <class T>
-bool is_moderate(const T *numbers, std::size_t count)
+Wide<T> largest_of(const T *numbers, std::size_t count)
 {
+    Wide<T> most = 0;
     for (std::size_t k = 0; k < count; ++k)
-        if (abs(Wide<T>(numbers[k])) * headroom<T>() > largest<T>())
-            return false;
-    return true;
+        most = larger(most, abs(Wide<T>(numbers[k])));
+    return most;
 }
 
 // Rounding errors are relative to the lengths of the terms: of what is turned its own, and how far the motor reaches.
 template <class T>
-void judge_moved(Verdict &verdict, Moved moved, const Motor<Wide<T>> &motor, const T *in, const T *out)
+void judge_moved(Verdict &verdict, Moved moved, const Motor<Wide<T>> &motor, const T *in, std::size_t count,
+                 const T *out)
 {
     using R = Wide<T>;
-    const R far = reach(motor), lost = 16 * (1 + far);
+    const R far = reach(motor), lost = 16 * (1 + far) * (1 + largest_of(in, count));
     const Vector<R> t = translation(motor);
     const auto near = [&](const char *what, const T *numbers, const Vector<R> &right, R scale, double bound) {
         const R components[] = {right.x, right.y, right.z};
@@ -255,9 +256,10 @@ Function application(Moved moved, Pairing pairing, unsigned flags)
         if constexpr (mixed) {
             return judge_mixed(inputs, out);
         } else {
-            if (judgeable<T>(inputs[1], components) && is_moderate(numbers<T>(inputs[1]), components))
+            if (judgeable<T>(inputs[1], components) &&
+                largest_of(numbers<T>(inputs[1]), components) * headroom<T>() <= largest<T>())
                 judge_moved<T>(verdict, moved, motor_of<Wide<T>>(numbers<T>(inputs[0])), numbers<T>(inputs[1]),
-                               numbers<T>(out));
+                               components, numbers<T>(out));
             return verdict;
         }
     };
