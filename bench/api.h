@@ -16,33 +16,8 @@ inline void require(mw_status result)
         throw std::runtime_error(mw_status_text(result));
 }
 
-template <class T> struct api;
-
-#define MOTORWAY_API(T, P)                                                                                           \
-    template <> struct api<T> {                                                                                      \
-        using motor = mw_motor_##P;                                                                                  \
-        using motors = mw_motors_##P;                                                                                \
-        using const_motors = mw_const_motors_##P;                                                                    \
-        using weights = mw_weights_##P;                                                                              \
-        using bivectors = mw_bivectors_##P;                                                                          \
-        using motion = mw_motion_##P;                                                                                \
-        using compiled_motion = mw_compiled_motion_##P;                                                              \
-        static constexpr auto motors_aos = mw_motors_##P##_aos;                                                      \
-        static constexpr auto const_motors_aos = mw_const_motors_##P##_aos;                                          \
-        static constexpr auto compose_motor_hierarchy = mw_compose_motor_hierarchy_##P;                              \
-        static constexpr auto blend_motor_one = mw_blend_motor_one_##P;                                              \
-        static constexpr auto blend_motor_each = mw_blend_motor_each_##P;                                            \
-        static constexpr auto slerp_motor_each = mw_slerp_motor_each_##P;                                            \
-        static constexpr auto motion_size = mw_motion_size_##P;                                                      \
-        static constexpr auto compile_motion = mw_compile_motion_##P;                                                \
-        static constexpr auto sample_motion_one = mw_sample_motion_one_##P;                                          \
-        static constexpr auto sample_motion_each = mw_sample_motion_each_##P;                                        \
-        static constexpr auto sample_motion_twist_one = mw_sample_motion_twist_one_##P;                              \
-        static constexpr auto sample_motion_twist_each = mw_sample_motion_twist_each_##P;                            \
-    };
-MOTORWAY_API(float, f32)
-MOTORWAY_API(double, f64)
-#undef MOTORWAY_API
+// api<T>, from the table of public functions.
+#include "../generated/api.inc"
 
 // mw_apply_<operand>_... on elements of T under motors of M.
 template <operand, class T, class M> struct apply_functions;

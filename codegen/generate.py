@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes everything in generated/, and nothing else does.
+"""Writes everything in generated/ and the public headers, and nothing else does.
 
-    python3 codegen/generate.py            write generated/
+    python3 codegen/generate.py            write them
     python3 codegen/generate.py --check    compare instead: print the differences and fail if there are any
 
 The output depends on codegen/ alone, to the byte. Needs Python 3.9 and jinja2 (Debian: python3-jinja2).
@@ -27,6 +27,7 @@ except ModuleNotFoundError:
     sys.exit("generate.py needs jinja2: install it (Debian: apt-get install python3-jinja2) for this python3")
 
 from algebra import BLADES, METRIC, Multivector, blade_product, blade_reverse, e
+from api_text import api_files
 from approximate import (
     MANTISSA_BITS,
     REAL_NUMBERS,
@@ -117,7 +118,7 @@ def variants_of(kernel: Kernel) -> List[Variant]:
 
 
 def render_all() -> Dict[str, str]:
-    """Every file of generated/, by its path in that folder."""
+    """Every file that is written, by its path."""
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(str(TEMPLATES)),
         undefined=jinja2.StrictUndefined,
@@ -133,15 +134,16 @@ def render_all() -> Dict[str, str]:
     files, rows = {}, []
     for kernel in KERNELS:
         variants = variants_of(kernel)
-        files[f"kernels/{kernel.name}.inl"] = render("kernel.inl.j2", **kernel_values(kernel, variants))
+        files[f"generated/kernels/{kernel.name}.inl"] = render("kernel.inl.j2", **kernel_values(kernel, variants))
         if kernel.is_rational:
-            files[f"golden/{kernel.name}.inc"] = render("golden.inc.j2", **golden_values(kernel))
+            files[f"generated/golden/{kernel.name}.inc"] = render("golden.inc.j2", **golden_values(kernel))
         rows += [list_row(variant) for variant in variants]
-    files["kernels/approximations.inl"] = render("approximations.inl.j2", **approximation_values())
-    files["inverse_two_pi.inc"] = render("inverse_two_pi.inc.j2", lines=inverse_two_pi_lines())
-    files["kernel_list.inc"] = render("kernel_list.inc.j2", rows=rows)
-    files["product_tables.md"] = render("product_tables.md.j2", **product_table_values())
-    return files
+    files["generated/kernels.inc"] = render("kernels.inc.j2", names=sorted(kernel.name for kernel in KERNELS))
+    files["generated/kernels/approximations.inl"] = render("approximations.inl.j2", **approximation_values())
+    files["generated/inverse_two_pi.inc"] = render("inverse_two_pi.inc.j2", lines=inverse_two_pi_lines())
+    files["generated/kernel_list.inc"] = render("kernel_list.inc.j2", rows=rows)
+    files["generated/product_tables.md"] = render("product_tables.md.j2", **product_table_values())
+    return {**files, **api_files(render)}
 
 
 def kernel_values(kernel: Kernel, variants: Sequence[Variant]) -> Dict[str, object]:
@@ -320,15 +322,15 @@ def write(files: Dict[str, str]) -> None:
     for path in orphans(files):
         path.unlink()
     for name, text in files.items():
-        path = OUTPUT / name
+        path = ROOT / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(text.encode("utf-8"))
-    print(f"generate.py: wrote {len(files)} files to {OUTPUT.relative_to(ROOT)}/")
+    print(f"generate.py: wrote {len(files)} files")
 
 
 def orphans(files: Dict[str, str]) -> List[Path]:
     """Files in generated/ that the generator does not write."""
-    known = {OUTPUT / name for name in files}
+    known = {ROOT / name for name in files}
     return sorted(path for path in OUTPUT.rglob("*") if path.is_file() and path not in known)
 
 
@@ -336,7 +338,7 @@ def check(files: Dict[str, str]) -> bool:
     """Print how generated/ differs from what would be written, and how to mend it."""
     current = True
     for name, text in files.items():
-        path = OUTPUT / name
+        path = ROOT / name
         found = path.read_text(encoding="utf-8") if path.exists() else ""
         if found != text:
             current = False
@@ -344,20 +346,20 @@ def check(files: Dict[str, str]) -> bool:
                 difflib.unified_diff(
                     found.splitlines(keepends=True),
                     text.splitlines(keepends=True),
-                    f"generated/{name} (checked in)",
-                    f"generated/{name} (what codegen/ writes)",
+                    f"{name} (checked in)",
+                    f"{name} (what codegen/ writes)",
                 )
             )
     for path in orphans(files):
         current = False
         print(f"orphan: {path.relative_to(ROOT)} is not written by the generator")
     if not current:
-        print(f"generated/ is not what codegen/ writes; to mend it, run:  {MENDING}")
+        print(f"what is checked in is not what codegen/ writes; to mend it, run:  {MENDING}")
     return current
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description="Write generated/ from codegen/.")
+    parser = argparse.ArgumentParser(description="Write generated/ and the public headers.")
     parser.add_argument("--check", action="store_true", help="compare instead of writing; fail on any difference")
     arguments = parser.parse_args()
     files = render_all()

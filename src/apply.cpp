@@ -16,6 +16,7 @@ static_assert(sizeof(mw_shift) == 6 * sizeof(double));
 
 constexpr unsigned streaming_flags = MW_STREAMING_STORES | MW_NO_STREAMING_STORES;
 
+// What is known without looking at the data.
 MOTORWAY_INLINE mw_status check_call(unsigned flags)
 {
     if (!kernels())
@@ -78,10 +79,13 @@ template <class T> const T *near_unit(const T *motor, T *room)
 
 // ----------------------------------------------------------------------------------------------------- pairings
 
-template <class T, class E, int N, int Parts, class Shift>
-mw_status apply_one(kernel<T, E> function, const elements<E, N, Parts> &out, const T *motor, const Shift &shift,
+template <class Id, class T, class E, int N, int Parts, class Shift>
+mw_status apply_one(Id kernel, const elements<E, N, Parts> &out, const T *motor, const Shift &shift,
                     const elements<const E, N, Parts> &in, std::size_t count, unsigned flags)
 {
+    const mw_status called = check_call(flags);
+    if (called != MW_OK || count == 0)
+        return called;
     const byte_range usual = usual_output(out, in, count);
     if (!motor || usual.end == 0 || usual.meets(range_of(motor, 8))) {
         const mw_status status = first_error(check_array(motor, 8), [&] { return check_elements(out, in, count); },
@@ -94,14 +98,17 @@ mw_status apply_one(kernel<T, E> function, const elements<E, N, Parts> &out, con
     if (!motor)
         return MW_ERROR_DEGENERATE_MOTOR;
     const bool streaming = is_streaming(out, in, 2 * count * N * Parts * sizeof(E), flags);
-    run(function, kernel_call<T, E, N, Parts>(out, in, count, streaming, shift.with(motor, room)).arguments);
+    run(kernel_of<T>(kernel), kernel_call<T, E, N, Parts>(out, in, count, streaming, shift.with(motor, room)).arguments);
     return MW_OK;
 }
 
-template <class T, class E, int N, int Parts, class Shift>
-mw_status apply_each(kernel<T, E> function, const elements<E, N, Parts> &out, const view<const T, 8> &motors,
+template <class Id, class T, class E, int N, int Parts, class Shift>
+mw_status apply_each(Id kernel, Id unit_kernel, const elements<E, N, Parts> &out, const view<const T, 8> &motors,
                      const Shift &shift, const elements<const E, N, Parts> &in, std::size_t count, unsigned flags)
 {
+    const mw_status called = check_call(flags);
+    if (called != MW_OK || count == 0)
+        return called;
     const byte_range usual = usual_output(out, in, count);
     if (usual.end == 0 || !is_usual(out.part[0], usual, motors, count)) {
         const mw_status status = first_error(
@@ -114,7 +121,7 @@ mw_status apply_each(kernel<T, E> function, const elements<E, N, Parts> &out, co
     const bool streaming = is_streaming(out, in, count * (8 * sizeof(T) + 2 * N * Parts * sizeof(E)), flags);
     kernel_call<T, E, N, Parts> made(out, in, count, streaming, shift.template of_all<T>());
     made.arguments.motors = motors.as_stream();
-    run(function, made.arguments);
+    run(kernel_of<T>(flags & MW_UNIT_MOTORS ? unit_kernel : kernel), made.arguments);
     return MW_OK;
 }
 
@@ -165,12 +172,15 @@ struct index_check {
     std::size_t *first_bad = nullptr;
 };
 
-template <class T, class E, int N, int Parts, class Shift>
-mw_status apply_indexed(kernel<T, E> function, const elements<E, N, Parts> &out, const T *palette,
+template <class Id, class T, class E, int N, int Parts, class Shift>
+mw_status apply_indexed(Id kernel, Id unit_kernel, const elements<E, N, Parts> &out, const T *palette,
                         std::size_t palette_count, const mw_indices &indices, const Shift &shift,
                         const elements<const E, N, Parts> &in, std::size_t count, unsigned flags,
-                        const index_check &check)
+                        const index_check &check = {})
 {
+    const mw_status called = check_call(flags);
+    if (called != MW_OK || count == 0)
+        return called;
     if (palette_count > PTRDIFF_MAX / (8 * sizeof(T)))
         return MW_ERROR_SIZE;
     const mw_status status = first_error(
@@ -189,8 +199,26 @@ mw_status apply_indexed(kernel<T, E> function, const elements<E, N, Parts> &out,
     kernel_call<T, E, N, Parts> made(out, in, count, streaming, shift.template of_all<T>());
     made.arguments.palette = palette;
     made.arguments.indices = {indices.first, indices.stride, index_size};
-    run(function, made.arguments);
+    run(kernel_of<T>(flags & MW_UNIT_MOTORS ? unit_kernel : kernel), made.arguments);
     return MW_OK;
+}
+
+template <class Id, class T, class E, int N, int Parts, class Shift>
+mw_status apply_indexed_checked(Id kernel, Id unit_kernel, const elements<E, N, Parts> &out, const T *palette,
+                                std::size_t palette_count, const mw_indices &indices, const Shift &shift,
+                                const elements<const E, N, Parts> &in, std::size_t count, unsigned flags,
+                                std::size_t *first_bad)
+{
+    return apply_indexed(kernel, unit_kernel, out, palette, palette_count, indices, shift, in, count, flags,
+                         {true, first_bad});
+}
+
+mw_status check_indices(const mw_indices &indices, std::size_t count, std::size_t palette_count, std::size_t *first_bad)
+{
+    if (count == 0)
+        return MW_OK;
+    return first_error(check_indices(indices, count),
+                       [&] { return check_index_values(indices, count, palette_count, first_bad); });
 }
 
 // --------------------------------------------------------------------------------------------------------- grids
@@ -250,30 +278,32 @@ void run_columns(kernel<T, E> grid_kernel, const grid_batch<T, E, N, Parts, Shif
     grid_kernel(made.arguments);
 }
 
-template <class T, class E, int N, int Parts, class Shift>
-mw_status apply_grid(kernel<T, E> one, kernel<T, E> grid_kernel, const grid_batch<T, E, N, Parts, Shift> &grid,
-                     unsigned flags)
+template <class Id, class T, class E, int N, int Parts, class Shift>
+mw_status apply_grid(Id one, Id grid_kernel, const elements<E, N, Parts> &out, std::size_t row_stride,
+                     const view<const T, 8> &motors, std::size_t motor_count, const Shift &shift,
+                     const elements<const E, N, Parts> &in, std::size_t count, unsigned flags)
 {
-    const grid_shape &shape = grid.shape;
-    const auto check_inputs_apart = [&] {
-        return check_each_part(grid.out, [&](const view<E, N> &out) {
-            bool apart = is_apart(out, shape, grid.motors, shape.rows);
-            for (const view<const E, N> &in : grid.in.part)
-                apart &= is_apart(out, shape, in, shape.count);
-            return apart ? MW_OK : MW_ERROR_OVERLAP;
-        });
+    const mw_status called = check_call(flags);
+    if (called != MW_OK || count == 0 || motor_count == 0)
+        return called;
+    const grid_shape shape = {motor_count, row_stride, count};
+    const auto check_apart = [&](const view<E, N> &part) {
+        bool apart = is_apart(part, shape, motors, motor_count);
+        for (const view<const E, N> &from : in.part)
+            apart &= is_apart(part, shape, from, count);
+        return apart ? MW_OK : MW_ERROR_OVERLAP;
     };
     const mw_status status = first_error(
-        check_grid(grid.out, shape), [&] { return check_view(grid.motors, shape.rows); },
-        [&] { return check_parts(grid.in, shape.count); }, check_inputs_apart);
+        check_grid(out, shape), [&] { return check_view(motors, motor_count); },
+        [&] { return check_parts(in, count); }, [&] { return check_each_part(out, check_apart); });
     if (status != MW_OK)
         return status;
-    if (grid.shape.is_point_major(grid.out.part[0]))
-        run_columns(grid_kernel, grid);
+    const auto grid = grid_of(out, motors, shift, in, shape);
+    if (shape.is_point_major(out.part[0]))
+        run_columns(kernel_of<T>(grid_kernel), grid);
     else {
-        const std::size_t bytes = shape.rows * shape.count * N * Parts * sizeof(E);
-        const bool streaming = is_streaming(grid.out, grid.in, bytes, flags);
-        run_rows(one, grid, streaming);
+        const bool streaming = is_streaming(out, in, shape.rows * shape.count * N * Parts * sizeof(E), flags);
+        run_rows(kernel_of<T>(one), grid, streaming);
         if (streaming)
             kernels()->fence();
     }
@@ -305,10 +335,18 @@ mw_status check_motion_grid(const motion_samples<T> &samples, const byte_range &
 }
 
 template <class T, int N, int Parts, class Motion>
-mw_status apply_motion(kernel<T, T> one, kernel<T, T> grid_kernel, const Motion *motion, std::size_t index,
-                       const T *parameters, const elements<T, N, Parts> &out, const elements<const T, N, Parts> &in,
-                       const grid_shape &shape, unsigned flags)
+mw_status apply_motion(kernel_id one, kernel_id grid_kernel, const elements<T, N, Parts> &out, std::size_t row_stride,
+                       const Motion *motion, std::size_t index, const T *parameters, std::size_t parameter_count,
+                       const elements<const T, N, Parts> &in, std::size_t count, unsigned flags)
 {
+    const bool nothing_to_do = parameter_count == 0 || count == 0;
+    const mw_status called = first_error(check_call(flags & ~parameter_flags), [&] {
+        return check_motion_call<T>(motion, motions_sampled::one, index, nothing_to_do ? 0 : 1, flags,
+                                    MW_UNIT_MOTORS | streaming_flags);
+    });
+    if (called != MW_OK || nothing_to_do)
+        return called;
+    const grid_shape shape = {parameter_count, row_stride, count};
     const compiled<T> from = compiled_of<T>(motion);
     const auto samples_at = [&](std::size_t first, std::size_t number) {
         return motion_samples<T>(from, motions_sampled::one, index, {parameters + first, sizeof(T)}, number, flags);
@@ -329,157 +367,17 @@ mw_status apply_motion(kernel<T, T> one, kernel<T, T> grid_kernel, const Motion 
         const auto part = grid_of(out.moved_by(row * shape.row_stride), poses.as_const(), no_shift(), in,
                                   {some, shape.row_stride, shape.count});
         if (point_major)
-            run_columns(grid_kernel, part);
+            run_columns(kernel_of<T>(grid_kernel), part);
         else
-            run_rows(one, part, streaming);
+            run_rows(kernel_of<T>(one), part, streaming);
     }
     if (streaming)
         kernels()->fence();
     return MW_OK;
 }
 
-using f32 = float;
-using f64 = double;
-
 } // namespace
 } // namespace motorway
 
-// ---------------------------------------------------------------------------------------------------- C functions
-
 using namespace motorway;
-
-// Each begins with what is known without looking at the data.
-#define MOTORWAY_BEGIN_CALL(nothing_to_do)                                                                            \
-    const mw_status called = check_call(flags);                                                                       \
-    if (called != MW_OK || (nothing_to_do))                                                                           \
-        return called;
-
-#define MOTORWAY_KERNEL_OF(P, name) kernels()->P[static_cast<int>(kernel_id::name)]
-#define MOTORWAY_KERNEL_OF_EACH(P, name)                                                                              \
-    (flags & MW_UNIT_MOTORS ? MOTORWAY_KERNEL_OF(P, name##_unit) : MOTORWAY_KERNEL_OF(P, name))
-
-#define MOTORWAY_APPLY(operand, views, P)                                                                             \
-    mw_status mw_apply_##operand##_one_##P(mw_##views##_##P out, const mw_motor_##P *motor,                           \
-                                           mw_const_##views##_##P in, size_t count, unsigned flags)                   \
-    {                                                                                                                 \
-        MOTORWAY_BEGIN_CALL(count == 0)                                                                               \
-        return apply_one(MOTORWAY_KERNEL_OF(P, apply_##operand##_one), elements_of(out), numbers_of<P>(motor),        \
-                         no_shift(), elements_of(in), count, flags);                                               \
-    }                                                                                                                 \
-    mw_status mw_apply_##operand##_each_##P(mw_##views##_##P out, mw_const_motors_##P motors,                         \
-                                            mw_const_##views##_##P in, size_t count, unsigned flags)                  \
-    {                                                                                                                 \
-        MOTORWAY_BEGIN_CALL(count == 0)                                                                               \
-        return apply_each(MOTORWAY_KERNEL_OF_EACH(P, apply_##operand##_each), elements_of(out),                       \
-                          view_of_motors<const P>(motors), no_shift(), elements_of(in), count, flags);             \
-    }                                                                                                                 \
-    mw_status mw_apply_##operand##_grid_##P(mw_##views##_##P out, size_t row_stride, mw_const_motors_##P motors,      \
-                                            size_t motor_count, mw_const_##views##_##P in, size_t count,              \
-                                            unsigned flags)                                                           \
-    {                                                                                                                 \
-        MOTORWAY_BEGIN_CALL(count == 0 || motor_count == 0)                                                           \
-        return apply_grid(MOTORWAY_KERNEL_OF(P, apply_##operand##_one), MOTORWAY_KERNEL_OF(P, apply_##operand##_grid),\
-                          grid_of(elements_of(out), view_of_motors<const P>(motors), no_shift(), elements_of(in),  \
-                                  {motor_count, row_stride, count}),                                                  \
-                          flags);                                                                                     \
-    }                                                                                                                 \
-    mw_status mw_apply_##operand##_indexed_##P(mw_##views##_##P out, const mw_motor_##P *palette,                     \
-                                               size_t palette_count, mw_indices indices, mw_const_##views##_##P in,   \
-                                               size_t count, unsigned flags)                                          \
-    {                                                                                                                 \
-        MOTORWAY_BEGIN_CALL(count == 0)                                                                               \
-        return apply_indexed(MOTORWAY_KERNEL_OF_EACH(P, apply_##operand##_indexed), elements_of(out),                 \
-                             numbers_of<P>(palette), palette_count, indices, no_shift(), elements_of(in), count,   \
-                             flags, {});                                                                              \
-    }                                                                                                                 \
-    mw_status mw_apply_##operand##_indexed_checked_##P(                                                               \
-        mw_##views##_##P out, const mw_motor_##P *palette, size_t palette_count, mw_indices indices,                  \
-        mw_const_##views##_##P in, size_t count, unsigned flags, size_t *first_bad)                                   \
-    {                                                                                                                 \
-        MOTORWAY_BEGIN_CALL(count == 0)                                                                               \
-        return apply_indexed(MOTORWAY_KERNEL_OF_EACH(P, apply_##operand##_indexed), elements_of(out),                 \
-                             numbers_of<P>(palette), palette_count, indices, no_shift(), elements_of(in), count,   \
-                             flags, {true, first_bad});                                                               \
-    }
-
-MW_OPERANDS(MOTORWAY_APPLY, f32)
-MW_OPERANDS(MOTORWAY_APPLY, f64)
-
-#define MOTORWAY_APPLY_MOTION(operand, views, P)                                                                      \
-    mw_status mw_apply_##operand##_motion_##P(mw_##views##_##P out, size_t row_stride,                                \
-                                              const mw_compiled_motion_##P *motion, size_t index,                     \
-                                              const P *parameters, size_t parameter_count,                            \
-                                              mw_const_##views##_##P in, size_t count, unsigned flags)                \
-    {                                                                                                                 \
-        MOTORWAY_BEGIN_MOTION_CALL(P, parameter_count == 0 || count == 0)                                             \
-        return apply_motion(MOTORWAY_KERNEL_OF(P, apply_##operand##_one), MOTORWAY_KERNEL_OF(P, apply_##operand##_grid),\
-                            motion, index, parameters, elements_of(out), elements_of(in),                             \
-                            {parameter_count, row_stride, count}, flags);                                             \
-    }
-#define MOTORWAY_BEGIN_MOTION_CALL(P, nothing_to_do)                                                                  \
-    const mw_status called = first_error(check_call(flags & ~parameter_flags), [&] {                                  \
-        return check_motion_call<P>(motion, motions_sampled::one, index, (nothing_to_do) ? 0 : 1, flags,              \
-                                    MW_UNIT_MOTORS | streaming_flags);                                                \
-    });                                                                                                               \
-    if (called != MW_OK || (nothing_to_do))                                                                           \
-        return called;
-
-MW_OPERANDS(MOTORWAY_APPLY_MOTION, f32)
-MW_OPERANDS(MOTORWAY_APPLY_MOTION, f64)
-
-// ------------------------------------------------------------------------------------------------- mixed precision
-
-#define MOTORWAY_MIXED_KERNEL(name) kernels()->mixed[static_cast<int>(mixed_kernel_id::name)]
-
-mw_status mw_apply_point_one_mixed(mw_xyz_f32 out, const mw_motor_f64 *motor, const mw_shift *shift,
-                                   mw_const_xyz_f32 points, size_t count, unsigned flags)
-{
-    MOTORWAY_BEGIN_CALL(count == 0)
-    return apply_one(MOTORWAY_MIXED_KERNEL(apply_point_one), elements_of(out), numbers_of<double>(motor),
-                     some_shift(shift), elements_of(points), count, flags);
-}
-
-mw_status mw_apply_point_each_mixed(mw_xyz_f32 out, mw_const_motors_f64 motors, const mw_shift *shift,
-                                    mw_const_xyz_f32 points, size_t count, unsigned flags)
-{
-    MOTORWAY_BEGIN_CALL(count == 0)
-    return apply_each(MOTORWAY_MIXED_KERNEL(apply_point_each), elements_of(out), view_of_motors<const double>(motors),
-                      some_shift(shift), elements_of(points), count, flags);
-}
-
-mw_status mw_apply_point_grid_mixed(mw_xyz_f32 out, size_t row_stride, mw_const_motors_f64 motors, size_t motor_count,
-                                    const mw_shift *shift, mw_const_xyz_f32 points, size_t count, unsigned flags)
-{
-    MOTORWAY_BEGIN_CALL(count == 0 || motor_count == 0)
-    return apply_grid(MOTORWAY_MIXED_KERNEL(apply_point_one), MOTORWAY_MIXED_KERNEL(apply_point_grid),
-                      grid_of(elements_of(out), view_of_motors<const double>(motors), some_shift(shift),
-                              elements_of(points), {motor_count, row_stride, count}),
-                      flags);
-}
-
-mw_status mw_apply_point_indexed_mixed(mw_xyz_f32 out, const mw_motor_f64 *palette, size_t palette_count,
-                                       mw_indices indices, const mw_shift *shift, mw_const_xyz_f32 points,
-                                       size_t count, unsigned flags)
-{
-    MOTORWAY_BEGIN_CALL(count == 0)
-    return apply_indexed(MOTORWAY_MIXED_KERNEL(apply_point_indexed), elements_of(out), numbers_of<double>(palette),
-                         palette_count, indices, some_shift(shift), elements_of(points), count, flags, {});
-}
-
-mw_status mw_apply_point_indexed_checked_mixed(mw_xyz_f32 out, const mw_motor_f64 *palette, size_t palette_count,
-                                               mw_indices indices, const mw_shift *shift, mw_const_xyz_f32 points,
-                                               size_t count, unsigned flags, size_t *first_bad)
-{
-    MOTORWAY_BEGIN_CALL(count == 0)
-    return apply_indexed(MOTORWAY_MIXED_KERNEL(apply_point_indexed), elements_of(out), numbers_of<double>(palette),
-                         palette_count, indices, some_shift(shift), elements_of(points), count, flags,
-                         {true, first_bad});
-}
-
-mw_status mw_check_indices(mw_indices indices, size_t count, size_t palette_count, size_t *first_bad)
-{
-    if (count == 0)
-        return MW_OK;
-    return first_error(check_indices(indices, count),
-                       [&] { return check_index_values(indices, count, palette_count, first_bad); });
-}
+#include "../generated/calls/apply.inc"

@@ -9,16 +9,6 @@ namespace {
 
 // ------------------------------------------------------------------------------------------------------ quaternions
 
-template <class T, class Quaternions> view<T, 4> view_of_xyzw(const Quaternions &q)
-{
-    return {{q.x, q.y, q.z, q.w}, q.stride};
-}
-
-template <class T, class Quaternions> view<T, 8> view_of_dual_quaternions(const Quaternions &q)
-{
-    return {{q.rx, q.ry, q.rz, q.rw, q.dx, q.dy, q.dz, q.dw}, q.stride};
-}
-
 // Whether w is next to x, and comes first: then a view in the order w x y z is of adjacent components.
 template <class Pointer> bool is_wxyz(Pointer w, Pointer x) { return x && w + 1 == x; }
 
@@ -34,39 +24,39 @@ template <class T> view<T, 8> with_w_first(const view<T, 8> &q)
 }
 
 template <class T>
-mw_status motor_to_pose(const view<T, 4> &quaternions, const view<T, 3> &translations, const view<const T, 8> &motors,
+mw_status convert_motor_to_pose(const view<T, 4> &quaternions, const view<T, 3> &translations, const view<const T, 8> &motors,
                         std::size_t count)
 {
     if (is_wxyz(quaternions.component[3], quaternions.component[0]))
-        return run_streams(kernel_id::convert_motor_to_pose_wxyz_each, to(with_w_first(quaternions), translations),
+        return run_streams(kernel_id::convert_motor_to_pose_wxyz_each, into(with_w_first(quaternions), translations),
                            count, motors);
-    return run_streams(kernel_id::convert_motor_to_pose_each, to(quaternions, translations), count, motors);
+    return run_streams(kernel_id::convert_motor_to_pose_each, into(quaternions, translations), count, motors);
 }
 
 template <class T>
-mw_status pose_to_motor(const view<T, 8> &out, const view<const T, 4> &quaternions,
+mw_status convert_pose_to_motor(const view<T, 8> &out, const view<const T, 4> &quaternions,
                         const view<const T, 3> &translations, std::size_t count)
 {
     if (is_wxyz(quaternions.component[3], quaternions.component[0]))
-        return run_streams(kernel_id::convert_pose_wxyz_to_motor_each, to(out), count, with_w_first(quaternions),
+        return run_streams(kernel_id::convert_pose_wxyz_to_motor_each, into(out), count, with_w_first(quaternions),
                            translations);
-    return run_streams(kernel_id::convert_pose_to_motor_each, to(out), count, quaternions, translations);
+    return run_streams(kernel_id::convert_pose_to_motor_each, into(out), count, quaternions, translations);
 }
 
 template <class T>
-mw_status motor_to_dual_quaternion(const view<T, 8> &out, const view<const T, 8> &motors, std::size_t count)
+mw_status convert_motor_to_dual_quaternion(const view<T, 8> &out, const view<const T, 8> &motors, std::size_t count)
 {
     if (is_wxyz(out.component[3], out.component[0]))
-        return run_streams(kernel_id::convert_motor_to_dual_quaternion_wxyz_each, to(with_w_first(out)), count, motors);
-    return run_streams(kernel_id::convert_motor_to_dual_quaternion_each, to(out), count, motors);
+        return run_streams(kernel_id::convert_motor_to_dual_quaternion_wxyz_each, into(with_w_first(out)), count, motors);
+    return run_streams(kernel_id::convert_motor_to_dual_quaternion_each, into(out), count, motors);
 }
 
 template <class T>
-mw_status dual_quaternion_to_motor(const view<T, 8> &out, const view<const T, 8> &in, std::size_t count)
+mw_status convert_dual_quaternion_to_motor(const view<T, 8> &out, const view<const T, 8> &in, std::size_t count)
 {
     if (is_wxyz(in.component[3], in.component[0]))
-        return run_streams(kernel_id::convert_dual_quaternion_wxyz_to_motor_each, to(out), count, with_w_first(in));
-    return run_streams(kernel_id::convert_dual_quaternion_to_motor_each, to(out), count, in);
+        return run_streams(kernel_id::convert_dual_quaternion_wxyz_to_motor_each, into(out), count, with_w_first(in));
+    return run_streams(kernel_id::convert_dual_quaternion_to_motor_each, into(out), count, in);
 }
 
 // ----------------------------------------------------------------------------------------------------- Euler angles
@@ -93,7 +83,7 @@ template <class T> struct euler_frame {
 };
 
 template <class T>
-mw_status euler_to_motor(const view<T, 8> &out, const view<const T, 3> &angles, const view<const T, 3> &translations,
+mw_status convert_euler_to_motor(const view<T, 8> &out, const view<const T, 3> &angles, const view<const T, 3> &translations,
                          std::size_t count, mw_euler_order order)
 {
     if (!is_order(order))
@@ -102,13 +92,13 @@ mw_status euler_to_motor(const view<T, 8> &out, const view<const T, 3> &angles, 
     euler_frame<T> frame;
     frame.axis(0, axes.first) = frame.axis(1, axes.second) = frame.axis(2, axes.third) = 1;
     const T *const fixed = frame.numbers;
-    return run_streams(kernel_id::convert_euler_to_motor_each, fixed, to(out), count, angles, translations);
+    return run_streams_of(kernel_id::convert_euler_to_motor_each, fixed, into(out), count, angles, translations);
 }
 
 // The kernels take the first axis, the second and the remaining one to be right-handed. Where they are not, of three
 // different axes all are turned round, and the angles with them; of a proper order the remaining axis is.
 template <class T>
-mw_status motor_to_euler(const view<T, 3> &angles, const view<T, 3> &translations, const view<const T, 8> &motors,
+mw_status convert_motor_to_euler(const view<T, 3> &angles, const view<T, 3> &translations, const view<const T, 8> &motors,
                          std::size_t count, mw_euler_order order)
 {
     if (!is_order(order))
@@ -120,17 +110,12 @@ mw_status motor_to_euler(const view<T, 3> &angles, const view<T, 3> &translation
     frame.axis(0, axes.first) = frame.axis(1, axes.second) = frame.sign();
     frame.axis(2, 3 - axes.first - axes.second) = hand;
     const T *const fixed = frame.numbers;
-    return run_streams(axes.is_proper() ? kernel_id::convert_motor_to_euler_proper_each
+    return run_streams_of(axes.is_proper() ? kernel_id::convert_motor_to_euler_proper_each
                                         : kernel_id::convert_motor_to_euler_each,
-                       fixed, to(angles, translations), count, motors);
+                       fixed, into(angles, translations), count, motors);
 }
 
 // ----------------------------------------------------------------------------------------------- screws and rotors
-
-template <class T, class Screws> view<T, 8> view_of_screws(const Screws &s)
-{
-    return {{s.ax, s.ay, s.az, s.px, s.py, s.pz, s.angle, s.distance}, s.stride};
-}
 
 template <class T>
 mw_status reverse_scaled(const view<T, 8> &out, const view<const T, 8> &in, std::size_t count, T lambda, T scale)
@@ -138,94 +123,23 @@ mw_status reverse_scaled(const view<T, 8> &out, const view<const T, 8> &in, std:
     if (kernels() && !(std::isfinite(lambda) && std::isfinite(1 / lambda) && lambda != 0))
         return MW_ERROR_SCALE;
     const T *const fixed = &scale;
-    return run_streams(kernel_id::convert_rotor_to_motor_each, fixed, to(out), count, in);
+    return run_streams_of(kernel_id::convert_rotor_to_motor_each, fixed, into(out), count, in);
+}
+
+template <class T>
+mw_status convert_motor_to_rotor(const view<T, 8> &out, const view<const T, 8> &in, std::size_t count, T lambda)
+{
+    return reverse_scaled(out, in, count, lambda, 1 / lambda);
+}
+
+template <class T>
+mw_status convert_rotor_to_motor(const view<T, 8> &out, const view<const T, 8> &in, std::size_t count, T lambda)
+{
+    return reverse_scaled(out, in, count, lambda, lambda);
 }
 
 } // namespace
 } // namespace motorway
 
 using namespace motorway;
-
-#define MOTORWAY_CONVERSIONS(P, T)                                                                                    \
-    mw_status mw_convert_motor_to_pose_each_##P(mw_xyzw_##P quaternions, mw_xyz_##P translations,                     \
-                                                mw_const_motors_##P motors, size_t count)                             \
-    {                                                                                                                 \
-        return motor_to_pose<T>(view_of_xyzw<T>(quaternions), view_of_xyz<T>(translations),                           \
-                                view_of_motors<const T>(motors), count);                                              \
-    }                                                                                                                 \
-    mw_status mw_convert_pose_to_motor_each_##P(mw_motors_##P out, mw_const_xyzw_##P quaternions,                     \
-                                                mw_const_xyz_##P translations, size_t count)                          \
-    {                                                                                                                 \
-        return pose_to_motor<T>(view_of_motors<T>(out), view_of_xyzw<const T>(quaternions),                           \
-                                view_of_xyz<const T>(translations), count);                                           \
-    }                                                                                                                 \
-    mw_status mw_convert_motor_to_dual_quaternion_each_##P(mw_dual_quaternions_##P out, mw_const_motors_##P motors,   \
-                                                           size_t count)                                              \
-    {                                                                                                                 \
-        return motor_to_dual_quaternion<T>(view_of_dual_quaternions<T>(out), view_of_motors<const T>(motors), count); \
-    }                                                                                                                 \
-    mw_status mw_convert_dual_quaternion_to_motor_each_##P(mw_motors_##P out, mw_const_dual_quaternions_##P in,       \
-                                                           size_t count)                                              \
-    {                                                                                                                 \
-        return dual_quaternion_to_motor<T>(view_of_motors<T>(out), view_of_dual_quaternions<const T>(in), count);     \
-    }                                                                                                                 \
-    mw_status mw_convert_motor_to_axis_angle_each_##P(mw_xyzw_##P rotations, mw_xyz_##P translations,                 \
-                                                      mw_const_motors_##P motors, size_t count)                       \
-    {                                                                                                                 \
-        return run_streams(kernel_id::convert_motor_to_axis_angle_each,                                               \
-                           to(view_of_xyzw<T>(rotations), view_of_xyz<T>(translations)), count,                       \
-                           view_of_motors<const T>(motors));                                                          \
-    }                                                                                                                 \
-    mw_status mw_convert_axis_angle_to_motor_each_##P(mw_motors_##P out, mw_const_xyzw_##P rotations,                 \
-                                                      mw_const_xyz_##P translations, size_t count)                    \
-    {                                                                                                                 \
-        return run_streams(kernel_id::convert_axis_angle_to_motor_each, to(view_of_motors<T>(out)), count,            \
-                           view_of_xyzw<const T>(rotations), view_of_xyz<const T>(translations));                     \
-    }                                                                                                                 \
-    mw_status mw_convert_motor_to_euler_each_##P(mw_xyz_##P angles, mw_xyz_##P translations,                          \
-                                                 mw_const_motors_##P motors, size_t count, mw_euler_order order)      \
-    {                                                                                                                 \
-        return motor_to_euler<T>(view_of_xyz<T>(angles), view_of_xyz<T>(translations),                                \
-                                 view_of_motors<const T>(motors), count, order);                                      \
-    }                                                                                                                 \
-    mw_status mw_convert_euler_to_motor_each_##P(mw_motors_##P out, mw_const_xyz_##P angles,                          \
-                                                 mw_const_xyz_##P translations, size_t count, mw_euler_order order)   \
-    {                                                                                                                 \
-        return euler_to_motor<T>(view_of_motors<T>(out), view_of_xyz<const T>(angles),                                \
-                                 view_of_xyz<const T>(translations), count, order);                                   \
-    }                                                                                                                 \
-    mw_status mw_convert_translation_to_motor_each_##P(mw_motors_##P out, mw_const_xyz_##P translations, size_t count)\
-    {                                                                                                                 \
-        return run_streams(kernel_id::convert_translation_to_motor_each, to(view_of_motors<T>(out)), count,           \
-                           view_of_xyz<const T>(translations));                                                       \
-    }                                                                                                                 \
-    mw_status mw_convert_motor_to_translation_each_##P(mw_xyz_##P translations, mw_const_motors_##P motors,           \
-                                                       size_t count)                                                  \
-    {                                                                                                                 \
-        return run_streams(kernel_id::convert_motor_to_translation_each, to(view_of_xyz<T>(translations)), count,     \
-                           view_of_motors<const T>(motors));                                                          \
-    }                                                                                                                 \
-    mw_status mw_convert_motor_to_screw_each_##P(mw_screws_##P out, mw_const_motors_##P motors, size_t count)         \
-    {                                                                                                                 \
-        return run_streams(kernel_id::convert_motor_to_screw_each, to(view_of_screws<T>(out)), count,                 \
-                           view_of_motors<const T>(motors));                                                          \
-    }                                                                                                                 \
-    mw_status mw_convert_screw_to_motor_each_##P(mw_motors_##P out, mw_const_screws_##P screws, size_t count)         \
-    {                                                                                                                 \
-        return run_streams(kernel_id::convert_screw_to_motor_each, to(view_of_motors<T>(out)), count,                 \
-                           view_of_screws<const T>(screws));                                                          \
-    }                                                                                                                 \
-    mw_status mw_convert_motor_to_rotor_each_##P(mw_motors_##P rotors, mw_const_motors_##P motors, size_t count,      \
-                                                 T lambda)                                                            \
-    {                                                                                                                 \
-        return reverse_scaled<T>(view_of_motors<T>(rotors), view_of_motors<const T>(motors), count, lambda,           \
-                                 1 / lambda);                                                                         \
-    }                                                                                                                 \
-    mw_status mw_convert_rotor_to_motor_each_##P(mw_motors_##P out, mw_const_motors_##P rotors, size_t count,         \
-                                                 T lambda)                                                            \
-    {                                                                                                                 \
-        return reverse_scaled<T>(view_of_motors<T>(out), view_of_motors<const T>(rotors), count, lambda, lambda);     \
-    }
-
-MOTORWAY_CONVERSIONS(f32, float)
-MOTORWAY_CONVERSIONS(f64, double)
+#include "../generated/calls/convert.inc"

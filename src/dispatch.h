@@ -35,4 +35,11 @@ template <class T> kernel<T> find(const kernel_table &table, kernel_id id)
         return table.f64[static_cast<int>(id)];
 }
 
+// That of the table in use, which there is.
+template <class T> kernel<T> kernel_of(kernel_id id) { return find<T>(*kernels(), id); }
+template <class T> kernel<double, float> kernel_of(mixed_kernel_id id)
+{
+    return kernels()->mixed[static_cast<int>(id)];
+}
+
 } // namespace motorway

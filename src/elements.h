@@ -26,56 +26,16 @@ template <class T, int N, int Parts> struct elements {
     }
 };
 
-// The views of the API as elements.
-#define MOTORWAY_ELEMENTS(P, T)                                                                                       \
-    inline elements<T, 3, 1> elements_of(const mw_xyz_##P &v) { return {{{{v.x, v.y, v.z}, v.stride}}}; }             \
-    inline elements<const T, 3, 1> elements_of(const mw_const_xyz_##P &v) { return {{{{v.x, v.y, v.z}, v.stride}}}; } \
-    inline elements<T, 4, 1> elements_of(const mw_xyzw_##P &v) { return {{{{v.x, v.y, v.z, v.w}, v.stride}}}; }       \
-    inline elements<const T, 4, 1> elements_of(const mw_const_xyzw_##P &v)                                            \
-    {                                                                                                                 \
-        return {{{{v.x, v.y, v.z, v.w}, v.stride}}};                                                                  \
-    }                                                                                                                 \
-    inline elements<T, 5, 1> elements_of(const mw_vectors_##P &v)                                                     \
-    {                                                                                                                 \
-        return {{{{v.e0, v.e1, v.e2, v.e3, v.ei}, v.stride}}};                                                        \
-    }                                                                                                                 \
-    inline elements<const T, 5, 1> elements_of(const mw_const_vectors_##P &v)                                         \
-    {                                                                                                                 \
-        return {{{{v.e0, v.e1, v.e2, v.e3, v.ei}, v.stride}}};                                                        \
-    }                                                                                                                 \
-    inline elements<T, 6, 1> elements_of(const mw_lines_##P &v)                                                       \
-    {                                                                                                                 \
-        return {{{{v.dx, v.dy, v.dz, v.mx, v.my, v.mz}, v.stride}}};                                                  \
-    }                                                                                                                 \
-    inline elements<const T, 6, 1> elements_of(const mw_const_lines_##P &v)                                           \
-    {                                                                                                                 \
-        return {{{{v.dx, v.dy, v.dz, v.mx, v.my, v.mz}, v.stride}}};                                                  \
-    }                                                                                                                 \
-    inline elements<T, 6, 1> elements_of(const mw_bivectors_##P &v)                                                   \
-    {                                                                                                                 \
-        return {{{{v.b12, v.b13, v.b23, v.b1i, v.b2i, v.b3i}, v.stride}}};                                            \
-    }                                                                                                                 \
-    inline elements<const T, 6, 1> elements_of(const mw_const_bivectors_##P &v)                                       \
-    {                                                                                                                 \
-        return {{{{v.b12, v.b13, v.b23, v.b1i, v.b2i, v.b3i}, v.stride}}};                                            \
-    }                                                                                                                 \
-    inline elements<T, 8, 1> elements_of(const mw_motors_##P &v) { return {{view_of_motors<T>(v)}}; }                 \
-    inline elements<const T, 8, 1> elements_of(const mw_const_motors_##P &v)                                          \
-    {                                                                                                                 \
-        return {{view_of_motors<const T>(v)}};                                                                        \
-    }                                                                                                                 \
-    inline elements<T, 3, 2> elements_of(const mw_vertices_##P &v)                                                    \
-    {                                                                                                                 \
-        return {{view_of_xyz<T>(v.position), view_of_xyz<T>(v.normal)}};                                              \
-    }                                                                                                                 \
-    inline elements<const T, 3, 2> elements_of(const mw_const_vertices_##P &v)                                        \
-    {                                                                                                                 \
-        return {{view_of_xyz<const T>(v.position), view_of_xyz<const T>(v.normal)}};                                  \
-    }
-
-MOTORWAY_ELEMENTS(f32, float)
-MOTORWAY_ELEMENTS(f64, double)
-#undef MOTORWAY_ELEMENTS
+// Elements of one view, or of the two of vertices.
+template <class T, int N> elements<T, N, 1> elements_of(const view<T, N> &v) { return {{v}}; }
+template <class View> auto elements_of(const View &v) -> decltype(elements_of(view_of(v)))
+{
+    return elements_of(view_of(v));
+}
+template <class Vertices> auto elements_of(const Vertices &v) -> elements<std::remove_pointer_t<decltype(v.normal.x)>, 3, 2>
+{
+    return {{view_of(v.position), view_of(v.normal)}};
+}
 
 // Streams as a kernel takes them. They point into what they were made of.
 template <class T, int N, int Parts> struct streams_of {

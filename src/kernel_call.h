@@ -20,16 +20,6 @@ template <class T, class E, int N, int Parts> struct kernel_call {
     kernel_call(const kernel_call &) = delete;
 };
 
-template <class T>
-void run_blend(const kernel_table &table, kernel_id id, const view<T, 8> &out, const stream<const T> *in,
-               const T *controls, std::size_t terms, std::size_t count)
-{
-    const stream<T> to = out.as_stream();
-    call<T> arguments{&to, in, count, controls};
-    arguments.terms = terms;
-    find<T>(table, id)(arguments);
-}
-
 // Of a call that reads and writes so many bytes.
 template <class E, int N, int Parts>
 bool is_streaming(const elements<E, N, Parts> &out, const elements<const E, N, Parts> &in, std::size_t bytes,

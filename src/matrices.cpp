@@ -21,21 +21,21 @@ template <class T> mw_status check_layout(const matrices<T> &m, std::size_t coun
 }
 
 template <class T>
-mw_status motor_to_matrix(const matrices<T> &out, const view<const T, 8> &motors, std::size_t count)
+mw_status convert_motor_to_matrix(const matrices<T> &out, const view<const T, 8> &motors, std::size_t count)
 {
     const mw_status status = check_layout(out, count);
     if (!kernels() || status != MW_OK)
         return kernels() ? status : MW_ERROR_ISA;
     switch (out.layout) {
     case MW_MATRIX_ROWS_3X4:
-        return run_streams(kernel_id::convert_motor_to_rows_3x4_each, to(out.template adjacent<12>()), count, motors);
+        return run_streams(kernel_id::convert_motor_to_rows_3x4_each, into(out.template adjacent<12>()), count, motors);
     case MW_MATRIX_ROWS_4X4:
-        return run_streams(kernel_id::convert_motor_to_rows_4x4_each, to(out.template adjacent<16>()), count, motors);
+        return run_streams(kernel_id::convert_motor_to_rows_4x4_each, into(out.template adjacent<16>()), count, motors);
     case MW_MATRIX_COLUMNS_3X4:
-        return run_streams(kernel_id::convert_motor_to_columns_3x4_each, to(out.template adjacent<12>()), count,
+        return run_streams(kernel_id::convert_motor_to_columns_3x4_each, into(out.template adjacent<12>()), count,
                            motors);
     default:
-        return run_streams(kernel_id::convert_motor_to_columns_4x4_each, to(out.template adjacent<16>()), count,
+        return run_streams(kernel_id::convert_motor_to_columns_4x4_each, into(out.template adjacent<16>()), count,
                            motors);
     }
 }
@@ -94,7 +94,7 @@ mw_status matrix_to_motor(kernel_id id, const view<T, 8> &out, const matrices<co
 {
     if (count == 0)
         return MW_OK;
-    const mw_status status = first_error(check_call(to(out), count, in.template adjacent<Size>()), [&] {
+    const mw_status status = first_error(check_call(into(out), count, in.template adjacent<Size>()), [&] {
         return flags & MW_NEAREST_ROTATION    ? check_nearest(in, count, first_bad)
                : flags & MW_ROTATION_MATRICES ? MW_OK
                                               : check_rotations(in, count, first_bad);
@@ -104,12 +104,12 @@ mw_status matrix_to_motor(kernel_id id, const view<T, 8> &out, const matrices<co
     if (flags & MW_NEAREST_ROTATION)
         nearest_motors(out, in, count);
     else
-        call_streams(id, static_cast<const T *>(nullptr), to(out), count, in.template adjacent<Read>());
+        call_streams(id, static_cast<const T *>(nullptr), into(out), count, in.template adjacent<Read>());
     return MW_OK;
 }
 
 template <class T>
-mw_status matrix_to_motor(const view<T, 8> &out, const matrices<const T> &in, std::size_t count, unsigned flags,
+mw_status convert_matrix_to_motor(const view<T, 8> &out, const matrices<const T> &in, std::size_t count, unsigned flags,
                           std::size_t *first_bad)
 {
     if (!kernels())
@@ -160,24 +160,4 @@ mw_status check_matrices(const matrices<const T> &in, std::size_t count, T toler
 } // namespace motorway
 
 using namespace motorway;
-
-#define MOTORWAY_MATRICES(P, T)                                                                                       \
-    mw_status mw_convert_motor_to_matrix_each_##P(mw_matrices_##P out, mw_const_motors_##P motors, size_t count)      \
-    {                                                                                                                 \
-        return motor_to_matrix<T>({out.first, out.stride, out.layout}, view_of_motors<const T>(motors), count);       \
-    }                                                                                                                 \
-    mw_status mw_convert_matrix_to_motor_each_##P(mw_motors_##P out, mw_const_matrices_##P matrices, size_t count,    \
-                                                  unsigned flags, size_t *first_bad)                                  \
-    {                                                                                                                 \
-        return matrix_to_motor<T>(view_of_motors<T>(out), {matrices.first, matrices.stride, matrices.layout}, count,  \
-                                  flags, first_bad);                                                                  \
-    }                                                                                                                 \
-    mw_status mw_check_matrices_##P(mw_const_matrices_##P matrices, size_t count, T tolerance, size_t *first_bad,     \
-                                    T *deviation)                                                                     \
-    {                                                                                                                 \
-        return check_matrices<T>({matrices.first, matrices.stride, matrices.layout}, count, tolerance, first_bad,     \
-                                 deviation);                                                                          \
-    }
-
-MOTORWAY_MATRICES(f32, float)
-MOTORWAY_MATRICES(f64, double)
+#include "../generated/calls/matrices.inc"

@@ -34,4 +34,10 @@ template <class T> struct matrices {
     }
 };
 
+// Of the public ones.
+inline matrices<float> matrices_of(const mw_matrices_f32 &m) { return {m.first, m.stride, m.layout}; }
+inline matrices<const float> matrices_of(const mw_const_matrices_f32 &m) { return {m.first, m.stride, m.layout}; }
+inline matrices<double> matrices_of(const mw_matrices_f64 &m) { return {m.first, m.stride, m.layout}; }
+inline matrices<const double> matrices_of(const mw_const_matrices_f64 &m) { return {m.first, m.stride, m.layout}; }
+
 } // namespace motorway

@@ -6,35 +6,10 @@
 namespace motorway {
 namespace {
 
-template <class T, class Bivectors> view<T, 6> view_of_bivectors(const Bivectors &v)
-{
-    return {{v.b12, v.b13, v.b23, v.b1i, v.b2i, v.b3i}, v.stride};
-}
-
-// A kernel, or one of two by a flag.
-struct kernel_choice {
-    kernel_id id;
-    bool flags_known = true;
-
-    kernel_choice(kernel_id only) : id(only) {}
-    kernel_choice(kernel_id usual, kernel_id flagged, unsigned flag, unsigned flags)
-        : id(flags & flag ? flagged : usual), flags_known(!(flags & ~flag))
-    {
-    }
-};
-
-template <class T, int N, class... Inputs>
-mw_status motors_each(const kernel_choice &kernel, std::size_t count, const view<T, N> &out, const Inputs &...in)
-{
-    if (kernels() && !kernel.flags_known)
-        return MW_ERROR_FLAGS;
-    return run_streams(kernel.id, to(out), count, in...);
-}
-
 // With one or two motors that all elements share. They are copied: a kernel takes them side by side.
-template <class T, int N, class Motor, class... Inputs>
-mw_status motors_shared(const kernel_choice &kernel, std::size_t count, const view<T, N> &out, const Motor *first,
-                        const Motor *second, const Inputs &...in)
+template <class T, int N, class... Inputs>
+mw_status run_with_shared_motors(const kernel_choice &kernel, const outputs<view<T, N>> &out, std::size_t count,
+                                 const T *first, const T *second, const Inputs &...in)
 {
     if (!kernels())
         return MW_ERROR_ISA;
@@ -44,15 +19,16 @@ mw_status motors_shared(const kernel_choice &kernel, std::size_t count, const vi
         return MW_OK;
     if (!first || !second)
         return MW_ERROR_NULL;
+    const view<T, N> &results = std::get<0>(out);
     const mw_status status = first_error(
-        check_view(out, count), [&] { return check_overlap(out, numbers_of<T>(first), 8, count); },
-        [&] { return check_overlap(out, numbers_of<T>(second), 8, count); });
+        check_view(results, count), [&] { return check_overlap(results, first, 8, count); },
+        [&] { return check_overlap(results, second, 8, count); });
     if (status != MW_OK)
         return status;
     T fixed[16];
-    std::copy_n(numbers_of<T>(first), 8, fixed);
-    std::copy_n(numbers_of<T>(second), 8, fixed + 8);
-    return run_streams(kernel.id, static_cast<const T *>(fixed), to(out), count, in...);
+    std::copy_n(first, 8, fixed);
+    std::copy_n(second, 8, fixed + 8);
+    return run_streams_of(kernel, static_cast<const T *>(fixed), out, count, in...);
 }
 
 // ------------------------------------------------------------------------------------------------------ hierarchies
@@ -111,8 +87,9 @@ template <class T> void copy_motors(const view<T, 8> &to, const view<const T, 8>
 constexpr std::size_t instance_chunk = 1024;
 
 template <class T>
-mw_status hierarchy(const view<T, 8> &out, const view<const T, 8> &locals, std::size_t joint_stride,
-                    const std::int32_t *parents, std::size_t joints, std::size_t count, std::size_t *first_bad)
+mw_status compose_motor_hierarchy(const view<T, 8> &out, const view<const T, 8> &locals, std::size_t joint_stride,
+                                  const std::int32_t *parents, std::size_t joints, std::size_t count,
+                                  std::size_t *first_bad)
 {
     if (!kernels())
         return MW_ERROR_ISA;
@@ -121,7 +98,7 @@ mw_status hierarchy(const view<T, 8> &out, const view<const T, 8> &locals, std::
     const mw_status status = check_hierarchy(out, locals, {joints, joint_stride, count}, parents, first_bad);
     if (status != MW_OK)
         return status;
-    const kernel<T> compose = find<T>(*kernels(), kernel_id::compose_motor_each);
+    const kernel<T> compose = kernel_of<T>(kernel_id::compose_motor_each);
     for (std::size_t begin = 0; begin < count; begin += instance_chunk)
         for (std::size_t joint = 0; joint < joints; ++joint) {
             const std::size_t some = std::min(instance_chunk, count - begin);
@@ -143,107 +120,5 @@ mw_status hierarchy(const view<T, 8> &out, const view<const T, 8> &locals, std::
 } // namespace
 } // namespace motorway
 
-// ---------------------------------------------------------------------------------------------------- C functions
-
 using namespace motorway;
-
-// The kernels of a function that takes one flag.
-#define MOTORWAY_UNIT_CHOICE(verb)                                                                                    \
-    kernel_choice(kernel_id::verb##_motor_each, kernel_id::verb##_motor_each_unit, MW_UNIT_MOTORS, flags)
-#define MOTORWAY_WAY_CHOICE(verb, pairing)                                                                            \
-    kernel_choice(kernel_id::verb##_motor_##pairing, kernel_id::verb##_long_motor_##pairing, MW_LONG_WAY, flags)
-
-#define MOTORWAY_INTERPOLATION(verb, P, T)                                                                            \
-    mw_status mw_##verb##_motor_each_##P(mw_motors_##P out, mw_const_motors_##P first, mw_const_motors_##P second,    \
-                                         const T *parameters, size_t parameter_stride, size_t count, unsigned flags)  \
-    {                                                                                                                 \
-        return motors_each(MOTORWAY_WAY_CHOICE(verb, each), count, view_of_motors<T>(out),                            \
-                           numbers<T>{parameters, parameter_stride}, view_of_motors<const T>(first),                  \
-                           view_of_motors<const T>(second));                                                          \
-    }                                                                                                                 \
-    mw_status mw_##verb##_motor_one_##P(mw_motors_##P out, const mw_motor_##P *first, const mw_motor_##P *second,     \
-                                        const T *parameters, size_t parameter_stride, size_t count, unsigned flags)   \
-    {                                                                                                                 \
-        return motors_shared(MOTORWAY_WAY_CHOICE(verb, one), count, view_of_motors<T>(out), first, second,            \
-                             numbers<T>{parameters, parameter_stride});                                               \
-    }
-
-#define MOTORWAY_GROUP(P, T)                                                                                          \
-    mw_status mw_compose_motor_each_##P(mw_motors_##P out, mw_const_motors_##P first, mw_const_motors_##P then,       \
-                                        size_t count)                                                                 \
-    {                                                                                                                 \
-        return motors_each(kernel_id::compose_motor_each, count, view_of_motors<T>(out),                              \
-                           view_of_motors<const T>(first), view_of_motors<const T>(then));                            \
-    }                                                                                                                 \
-    mw_status mw_compose_motor_one_first_##P(mw_motors_##P out, const mw_motor_##P *first, mw_const_motors_##P then,  \
-                                             size_t count)                                                            \
-    {                                                                                                                 \
-        return motors_shared(kernel_id::compose_motor_one_first, count, view_of_motors<T>(out), first, first,         \
-                             view_of_motors<const T>(then));                                                          \
-    }                                                                                                                 \
-    mw_status mw_compose_motor_one_then_##P(mw_motors_##P out, mw_const_motors_##P first, const mw_motor_##P *then,   \
-                                            size_t count)                                                             \
-    {                                                                                                                 \
-        return motors_shared(kernel_id::compose_motor_one_then, count, view_of_motors<T>(out), then, then,            \
-                             view_of_motors<const T>(first));                                                         \
-    }                                                                                                                 \
-    mw_status mw_compose_motor_hierarchy_##P(mw_motors_##P out, mw_const_motors_##P locals, size_t joint_stride,      \
-                                             const int32_t *parents, size_t joint_count, size_t count,                \
-                                             size_t *first_bad)                                                       \
-    {                                                                                                                 \
-        return hierarchy<T>(view_of_motors<T>(out), view_of_motors<const T>(locals), joint_stride, parents,           \
-                            joint_count, count, first_bad);                                                           \
-    }                                                                                                                 \
-    mw_status mw_reverse_motor_each_##P(mw_motors_##P out, mw_const_motors_##P motors, size_t count)                  \
-    {                                                                                                                 \
-        return motors_each(kernel_id::reverse_motor_each, count, view_of_motors<T>(out),                              \
-                           view_of_motors<const T>(motors));                                                          \
-    }                                                                                                                 \
-    mw_status mw_normalize_motor_each_##P(mw_motors_##P out, mw_const_motors_##P motors, size_t count)                \
-    {                                                                                                                 \
-        return motors_each(kernel_id::normalize_motor_each, count, view_of_motors<T>(out),                            \
-                           view_of_motors<const T>(motors));                                                          \
-    }                                                                                                                 \
-    mw_status mw_inverse_motor_each_##P(mw_motors_##P out, mw_const_motors_##P motors, size_t count)                  \
-    {                                                                                                                 \
-        return motors_each(kernel_id::inverse_motor_each, count, view_of_motors<T>(out),                              \
-                           view_of_motors<const T>(motors));                                                          \
-    }                                                                                                                 \
-    mw_status mw_exp_motor_each_##P(mw_motors_##P out, mw_const_bivectors_##P generators, size_t count)               \
-    {                                                                                                                 \
-        return motors_each(kernel_id::exp_motor_each, count, view_of_motors<T>(out),                                  \
-                           view_of_bivectors<const T>(generators));                                                   \
-    }                                                                                                                 \
-    mw_status mw_log_motor_each_##P(mw_bivectors_##P out, mw_const_motors_##P motors, size_t count, unsigned flags)   \
-    {                                                                                                                 \
-        return motors_each(MOTORWAY_UNIT_CHOICE(log), count, view_of_bivectors<T>(out),                               \
-                           view_of_motors<const T>(motors));                                                          \
-    }                                                                                                                 \
-    mw_status mw_log_principal_motor_each_##P(mw_bivectors_##P out, mw_const_motors_##P motors, size_t count,         \
-                                              unsigned flags)                                                         \
-    {                                                                                                                 \
-        return motors_each(MOTORWAY_UNIT_CHOICE(log_principal), count, view_of_bivectors<T>(out),                     \
-                           view_of_motors<const T>(motors));                                                          \
-    }                                                                                                                 \
-    mw_status mw_ratio_motor_each_##P(mw_motors_##P out, mw_const_motors_##P from, mw_const_motors_##P to,            \
-                                      size_t count, unsigned flags)                                                   \
-    {                                                                                                                 \
-        return motors_each(MOTORWAY_UNIT_CHOICE(ratio), count, view_of_motors<T>(out),                                \
-                           view_of_motors<const T>(from), view_of_motors<const T>(to));                               \
-    }                                                                                                                 \
-    mw_status mw_sqrt_motor_each_##P(mw_motors_##P out, mw_const_motors_##P motors, size_t count)                     \
-    {                                                                                                                 \
-        return motors_each(kernel_id::sqrt_motor_each, count, view_of_motors<T>(out),                                 \
-                           view_of_motors<const T>(motors));                                                          \
-    }                                                                                                                 \
-    mw_status mw_power_motor_each_##P(mw_motors_##P out, mw_const_motors_##P motors, const T *exponents,              \
-                                      size_t exponent_stride, size_t count)                                           \
-    {                                                                                                                 \
-        return motors_each(kernel_id::power_motor_each, count, view_of_motors<T>(out),                                \
-                           numbers<T>{exponents, exponent_stride}, view_of_motors<const T>(motors));                  \
-    }                                                                                                                 \
-    MOTORWAY_INTERPOLATION(slerp, P, T)                                                                               \
-    MOTORWAY_INTERPOLATION(nlerp, P, T)
-
-MOTORWAY_GROUP(f32, float)
-MOTORWAY_GROUP(f64, double)
+#include "../generated/calls/motors.inc"

@@ -1,6 +1,22 @@
 /* Motorway: batches of motors on point clouds, meshes and motions, in every lane of the CPU.
  *
- * This header is the manual of the C API. src/motorway.hpp is a thin C++17 face of it.
+ * This header is the manual of the C API. motorway.hpp is a thin C++17 face of it. Both are written by
+ * codegen/generate.py from the table of public functions in codegen/functions/; do not edit them.
+ *
+ * CONTENTS
+ *
+ *     status
+ *     flags
+ *     data and views
+ *     making motors
+ *     applying motors
+ *     combining motors
+ *     exponentials, interpolation
+ *     representations
+ *     one twist
+ *     blending motors
+ *     motions
+ *     making and editing motions
  *
  * MOTORS. A motor holds a rotation and a translation in eight numbers,
  *
@@ -195,16 +211,21 @@ typedef struct mw_motor_f64 { double s, b12, b13, b23, b1i, b2i, b3i, w; } mw_mo
  *     mw_[const_]xyzw_f32_wxyz(first, stride)  quaternions that lie in memory as w x y z; as fast as x y z w. And
  *                                              mw_[const_]dual_quaternions_f32_wxyz: both quaternions so
  * and the same for f64. They check nothing. */
-#define MW_COMPONENTS_xyz(use, T) use(x, T) use(y, T) use(z, T)
-#define MW_COMPONENTS_xyzw(use, T) use(x, T) use(y, T) use(z, T) use(w, T)
-#define MW_COMPONENTS_vectors(use, T) use(e0, T) use(e1, T) use(e2, T) use(e3, T) use(ei, T)
-#define MW_COMPONENTS_lines(use, T) use(dx, T) use(dy, T) use(dz, T) use(mx, T) use(my, T) use(mz, T)
-#define MW_COMPONENTS_motors(use, T)                                                                                  \
+#define MW_COMPONENTS_xyz(use, T) \
+    use(x, T) use(y, T) use(z, T)
+#define MW_COMPONENTS_xyzw(use, T) \
+    use(x, T) use(y, T) use(z, T) use(w, T)
+#define MW_COMPONENTS_vectors(use, T) \
+    use(e0, T) use(e1, T) use(e2, T) use(e3, T) use(ei, T)
+#define MW_COMPONENTS_lines(use, T) \
+    use(dx, T) use(dy, T) use(dz, T) use(mx, T) use(my, T) use(mz, T)
+#define MW_COMPONENTS_motors(use, T) \
     use(s, T) use(b12, T) use(b13, T) use(b23, T) use(b1i, T) use(b2i, T) use(b3i, T) use(w, T)
-#define MW_COMPONENTS_bivectors(use, T) use(b12, T) use(b13, T) use(b23, T) use(b1i, T) use(b2i, T) use(b3i, T)
-#define MW_COMPONENTS_dual_quaternions(use, T)                                                                        \
+#define MW_COMPONENTS_bivectors(use, T) \
+    use(b12, T) use(b13, T) use(b23, T) use(b1i, T) use(b2i, T) use(b3i, T)
+#define MW_COMPONENTS_dual_quaternions(use, T) \
     use(rx, T) use(ry, T) use(rz, T) use(rw, T) use(dx, T) use(dy, T) use(dz, T) use(dw, T)
-#define MW_COMPONENTS_screws(use, T)                                                                                  \
+#define MW_COMPONENTS_screws(use, T) \
     use(ax, T) use(ay, T) use(az, T) use(px, T) use(py, T) use(pz, T) use(angle, T) use(distance, T)
 
 #define MW_DECLARE(component, T) T *component;
@@ -384,20 +405,21 @@ typedef enum MW_ENUMERATION mw_euler_order {
 
 /* ---------------------------------------------------------------------------------------------- making motors --- */
 
-/* The translation by `offset`: 1 + ½ t e∞ (the paper's lemma 3.10). MW_ERROR_NULL. */
+/* The translation by `offset`: 1 + ½ t e∞ (the paper's lemma 3.10).
+ * Errors: MW_ERROR_NULL. */
 mw_status mw_translation_f32(mw_motor_f32 *out, const float offset[3]);
 mw_status mw_translation_f64(mw_motor_f64 *out, const double offset[3]);
 
 /* The rotation by `angle` about the axis through `point` (null: the origin) along `axis`, of any length but zero:
  * cos θ/2 + sin θ/2 (b + (b∧q) e∞) with b = a e123 (lemma 3.11). Computed in double, rounded once.
- * MW_ERROR_NULL; MW_ERROR_AXIS if the axis has length zero or any number is not finite. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_AXIS (the axis has length zero, or a number is not finite). */
 mw_status mw_rotation_f32(mw_motor_f32 *out, const float axis[3], float angle, const float point[3]);
 mw_status mw_rotation_f64(mw_motor_f64 *out, const double axis[3], double angle, const double point[3]);
 
 /* One pass over the motors: MW_ERROR_DEGENERATE_MOTOR if one is degenerate, and then *first_bad (unless that
  * pointer is null) is the index of the first. The batched functions below do not make this pass: they turn a
  * degenerate motor into results that are not finite or meaningless, in that element alone.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_DEGENERATE_MOTOR. */
 mw_status mw_check_motors_f32(mw_const_motors_f32 motors, size_t count, size_t *first_bad);
 mw_status mw_check_motors_f64(mw_const_motors_f64 motors, size_t count, size_t *first_bad);
 
@@ -428,75 +450,329 @@ mw_status mw_check_motors_f64(mw_const_motors_f64 motors, size_t count, size_t *
  *
  * Motors need not be normalised, in any of them. Flags: MW_UNIT_MOTORS, MW_STREAMING_STORES, MW_NO_STREAMING_STORES.
  *
- * Errors of all: MW_ERROR_NULL, MW_ERROR_STRIDE (of grid also: rows that run into each other), MW_ERROR_SIZE,
- * MW_ERROR_OVERLAP, MW_ERROR_FLAGS. `one` also MW_ERROR_DEGENERATE_MOTOR; the others do not look: a degenerate motor
- * makes results that are not finite or meaningless, of its own elements alone (mw_check_motors). A grid is never in
- * place: the range of its output, gaps included, meets no input.
- * Indices are not looked at either: one past the palette reads outside of it. Use mw_check_indices once a mesh, or
- * mw_apply_<operand>_indexed_checked, which looks at all of them first and writes nothing if one is out of range:
- * MW_ERROR_INDEX, and *first_bad (unless that pointer is null) is the number of the first such element. Both also
- * MW_ERROR_INDEX_TYPE.
+ * A degenerate motor is an error of `one`. The others do not look for one: it makes results that are not finite or
+ * meaningless, of its own elements alone (mw_check_motors finds it). A grid is never in place: the range of its output,
+ * gaps included, meets no input; and its rows may not run into each other (MW_ERROR_STRIDE).
  *
- * Cost: `one` and `grid` expand a motor into a matrix once, and then take 9 fused multiply-adds a point; the others
- * take 25 and a division a point, 21 with MW_UNIT_MOTORS. generated/kernel_list.inc has the counts of all. */
-#define MW_DECLARE_APPLY(operand, views, P)                                                                           \
-    mw_status mw_apply_##operand##_one_##P(mw_##views##_##P out, const mw_motor_##P *motor,                           \
-                                           mw_const_##views##_##P in, size_t count, unsigned flags);                  \
-    mw_status mw_apply_##operand##_each_##P(mw_##views##_##P out, mw_const_motors_##P motors,                         \
-                                            mw_const_##views##_##P in, size_t count, unsigned flags);                 \
-    mw_status mw_apply_##operand##_grid_##P(mw_##views##_##P out, size_t row_stride, mw_const_motors_##P motors,      \
-                                            size_t motor_count, mw_const_##views##_##P in, size_t count,              \
-                                            unsigned flags);                                                          \
-    mw_status mw_apply_##operand##_indexed_##P(mw_##views##_##P out, const mw_motor_##P *palette,                     \
-                                               size_t palette_count, mw_indices indices, mw_const_##views##_##P in,   \
-                                               size_t count, unsigned flags);                                         \
-    mw_status mw_apply_##operand##_indexed_checked_##P(                                                               \
-        mw_##views##_##P out, const mw_motor_##P *palette, size_t palette_count, mw_indices indices,                  \
-        mw_const_##views##_##P in, size_t count, unsigned flags, size_t *first_bad);
+ * Indices are not looked at either: one past the palette reads outside of it. Call mw_check_indices once per mesh, or
+ * mw_apply_<operand>_indexed_checked, which looks at all of them first and writes nothing if one is out of range:
+ * MW_ERROR_INDEX, and *first_bad (unless that pointer is null) is the number of the first such element.
+ *
+ * Cost: `one` and `grid` expand a motor into a matrix once, and then take 9 fused multiply-adds per point; the others
+ * take 25 and a division per point, 21 with MW_UNIT_MOTORS. generated/kernel_list.inc has the counts of all.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS, MW_ERROR_DEGENERATE_MOTOR
+ * (one), MW_ERROR_INDEX (indexed_checked), MW_ERROR_INDEX_TYPE (indexed, indexed_checked). */
+
+/* All points under one motor. */
+mw_status mw_apply_point_one_f32(mw_xyz_f32 out, const mw_motor_f32 *motor, mw_const_xyz_f32 in, size_t count,
+                                 unsigned flags);
+mw_status mw_apply_point_one_f64(mw_xyz_f64 out, const mw_motor_f64 *motor, mw_const_xyz_f64 in, size_t count,
+                                 unsigned flags);
+
+/* Each point under a motor of its own. */
+mw_status mw_apply_point_each_f32(mw_xyz_f32 out, mw_const_motors_f32 motors, mw_const_xyz_f32 in, size_t count,
+                                  unsigned flags);
+mw_status mw_apply_point_each_f64(mw_xyz_f64 out, mw_const_motors_f64 motors, mw_const_xyz_f64 in, size_t count,
+                                  unsigned flags);
+
+/* All points under every motor. */
+mw_status mw_apply_point_grid_f32(mw_xyz_f32 out, size_t row_stride, mw_const_motors_f32 motors, size_t motor_count,
+                                  mw_const_xyz_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_point_grid_f64(mw_xyz_f64 out, size_t row_stride, mw_const_motors_f64 motors, size_t motor_count,
+                                  mw_const_xyz_f64 in, size_t count, unsigned flags);
+
+/* Each point under the motor of a palette that its index names. */
+mw_status mw_apply_point_indexed_f32(mw_xyz_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                     mw_indices indices, mw_const_xyz_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_point_indexed_f64(mw_xyz_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                     mw_indices indices, mw_const_xyz_f64 in, size_t count, unsigned flags);
+
+/* The same after a look at all indices. */
+mw_status mw_apply_point_indexed_checked_f32(mw_xyz_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                             mw_indices indices, mw_const_xyz_f32 in, size_t count, unsigned flags,
+                                             size_t *first_bad);
+mw_status mw_apply_point_indexed_checked_f64(mw_xyz_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                             mw_indices indices, mw_const_xyz_f64 in, size_t count, unsigned flags,
+                                             size_t *first_bad);
+
+/* All directions under one motor. */
+mw_status mw_apply_direction_one_f32(mw_xyz_f32 out, const mw_motor_f32 *motor, mw_const_xyz_f32 in, size_t count,
+                                     unsigned flags);
+mw_status mw_apply_direction_one_f64(mw_xyz_f64 out, const mw_motor_f64 *motor, mw_const_xyz_f64 in, size_t count,
+                                     unsigned flags);
+
+/* Each direction under a motor of its own. */
+mw_status mw_apply_direction_each_f32(mw_xyz_f32 out, mw_const_motors_f32 motors, mw_const_xyz_f32 in, size_t count,
+                                      unsigned flags);
+mw_status mw_apply_direction_each_f64(mw_xyz_f64 out, mw_const_motors_f64 motors, mw_const_xyz_f64 in, size_t count,
+                                      unsigned flags);
+
+/* All directions under every motor. */
+mw_status mw_apply_direction_grid_f32(mw_xyz_f32 out, size_t row_stride, mw_const_motors_f32 motors,
+                                      size_t motor_count, mw_const_xyz_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_direction_grid_f64(mw_xyz_f64 out, size_t row_stride, mw_const_motors_f64 motors,
+                                      size_t motor_count, mw_const_xyz_f64 in, size_t count, unsigned flags);
+
+/* Each direction under the motor of a palette that its index names. */
+mw_status mw_apply_direction_indexed_f32(mw_xyz_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                         mw_indices indices, mw_const_xyz_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_direction_indexed_f64(mw_xyz_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                         mw_indices indices, mw_const_xyz_f64 in, size_t count, unsigned flags);
+
+/* The same after a look at all indices. */
+mw_status mw_apply_direction_indexed_checked_f32(mw_xyz_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                                 mw_indices indices, mw_const_xyz_f32 in, size_t count,
+                                                 unsigned flags, size_t *first_bad);
+mw_status mw_apply_direction_indexed_checked_f64(mw_xyz_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                                 mw_indices indices, mw_const_xyz_f64 in, size_t count,
+                                                 unsigned flags, size_t *first_bad);
+
+/* All tangents under one motor. */
+mw_status mw_apply_tangent_one_f32(mw_xyzw_f32 out, const mw_motor_f32 *motor, mw_const_xyzw_f32 in, size_t count,
+                                   unsigned flags);
+mw_status mw_apply_tangent_one_f64(mw_xyzw_f64 out, const mw_motor_f64 *motor, mw_const_xyzw_f64 in, size_t count,
+                                   unsigned flags);
+
+/* Each tangent under a motor of its own. */
+mw_status mw_apply_tangent_each_f32(mw_xyzw_f32 out, mw_const_motors_f32 motors, mw_const_xyzw_f32 in, size_t count,
+                                    unsigned flags);
+mw_status mw_apply_tangent_each_f64(mw_xyzw_f64 out, mw_const_motors_f64 motors, mw_const_xyzw_f64 in, size_t count,
+                                    unsigned flags);
+
+/* All tangents under every motor. */
+mw_status mw_apply_tangent_grid_f32(mw_xyzw_f32 out, size_t row_stride, mw_const_motors_f32 motors,
+                                    size_t motor_count, mw_const_xyzw_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_tangent_grid_f64(mw_xyzw_f64 out, size_t row_stride, mw_const_motors_f64 motors,
+                                    size_t motor_count, mw_const_xyzw_f64 in, size_t count, unsigned flags);
+
+/* Each tangent under the motor of a palette that its index names. */
+mw_status mw_apply_tangent_indexed_f32(mw_xyzw_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                       mw_indices indices, mw_const_xyzw_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_tangent_indexed_f64(mw_xyzw_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                       mw_indices indices, mw_const_xyzw_f64 in, size_t count, unsigned flags);
+
+/* The same after a look at all indices. */
+mw_status mw_apply_tangent_indexed_checked_f32(mw_xyzw_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                               mw_indices indices, mw_const_xyzw_f32 in, size_t count, unsigned flags,
+                                               size_t *first_bad);
+mw_status mw_apply_tangent_indexed_checked_f64(mw_xyzw_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                               mw_indices indices, mw_const_xyzw_f64 in, size_t count, unsigned flags,
+                                               size_t *first_bad);
+
+/* All vertices under one motor. */
+mw_status mw_apply_vertex_one_f32(mw_vertices_f32 out, const mw_motor_f32 *motor, mw_const_vertices_f32 in,
+                                  size_t count, unsigned flags);
+mw_status mw_apply_vertex_one_f64(mw_vertices_f64 out, const mw_motor_f64 *motor, mw_const_vertices_f64 in,
+                                  size_t count, unsigned flags);
+
+/* Each vertex under a motor of its own. */
+mw_status mw_apply_vertex_each_f32(mw_vertices_f32 out, mw_const_motors_f32 motors, mw_const_vertices_f32 in,
+                                   size_t count, unsigned flags);
+mw_status mw_apply_vertex_each_f64(mw_vertices_f64 out, mw_const_motors_f64 motors, mw_const_vertices_f64 in,
+                                   size_t count, unsigned flags);
+
+/* All vertices under every motor. */
+mw_status mw_apply_vertex_grid_f32(mw_vertices_f32 out, size_t row_stride, mw_const_motors_f32 motors,
+                                   size_t motor_count, mw_const_vertices_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_vertex_grid_f64(mw_vertices_f64 out, size_t row_stride, mw_const_motors_f64 motors,
+                                   size_t motor_count, mw_const_vertices_f64 in, size_t count, unsigned flags);
+
+/* Each vertex under the motor of a palette that its index names. */
+mw_status mw_apply_vertex_indexed_f32(mw_vertices_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                      mw_indices indices, mw_const_vertices_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_vertex_indexed_f64(mw_vertices_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                      mw_indices indices, mw_const_vertices_f64 in, size_t count, unsigned flags);
+
+/* The same after a look at all indices. */
+mw_status mw_apply_vertex_indexed_checked_f32(mw_vertices_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                              mw_indices indices, mw_const_vertices_f32 in, size_t count,
+                                              unsigned flags, size_t *first_bad);
+mw_status mw_apply_vertex_indexed_checked_f64(mw_vertices_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                              mw_indices indices, mw_const_vertices_f64 in, size_t count,
+                                              unsigned flags, size_t *first_bad);
+
+/* All vectors under one motor. */
+mw_status mw_apply_vector_one_f32(mw_vectors_f32 out, const mw_motor_f32 *motor, mw_const_vectors_f32 in,
+                                  size_t count, unsigned flags);
+mw_status mw_apply_vector_one_f64(mw_vectors_f64 out, const mw_motor_f64 *motor, mw_const_vectors_f64 in,
+                                  size_t count, unsigned flags);
+
+/* Each vector under a motor of its own. */
+mw_status mw_apply_vector_each_f32(mw_vectors_f32 out, mw_const_motors_f32 motors, mw_const_vectors_f32 in,
+                                   size_t count, unsigned flags);
+mw_status mw_apply_vector_each_f64(mw_vectors_f64 out, mw_const_motors_f64 motors, mw_const_vectors_f64 in,
+                                   size_t count, unsigned flags);
+
+/* All vectors under every motor. */
+mw_status mw_apply_vector_grid_f32(mw_vectors_f32 out, size_t row_stride, mw_const_motors_f32 motors,
+                                   size_t motor_count, mw_const_vectors_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_vector_grid_f64(mw_vectors_f64 out, size_t row_stride, mw_const_motors_f64 motors,
+                                   size_t motor_count, mw_const_vectors_f64 in, size_t count, unsigned flags);
+
+/* Each vector under the motor of a palette that its index names. */
+mw_status mw_apply_vector_indexed_f32(mw_vectors_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                      mw_indices indices, mw_const_vectors_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_vector_indexed_f64(mw_vectors_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                      mw_indices indices, mw_const_vectors_f64 in, size_t count, unsigned flags);
+
+/* The same after a look at all indices. */
+mw_status mw_apply_vector_indexed_checked_f32(mw_vectors_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                              mw_indices indices, mw_const_vectors_f32 in, size_t count,
+                                              unsigned flags, size_t *first_bad);
+mw_status mw_apply_vector_indexed_checked_f64(mw_vectors_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                              mw_indices indices, mw_const_vectors_f64 in, size_t count,
+                                              unsigned flags, size_t *first_bad);
+
+/* All lines under one motor. */
+mw_status mw_apply_line_one_f32(mw_lines_f32 out, const mw_motor_f32 *motor, mw_const_lines_f32 in, size_t count,
+                                unsigned flags);
+mw_status mw_apply_line_one_f64(mw_lines_f64 out, const mw_motor_f64 *motor, mw_const_lines_f64 in, size_t count,
+                                unsigned flags);
+
+/* Each line under a motor of its own. */
+mw_status mw_apply_line_each_f32(mw_lines_f32 out, mw_const_motors_f32 motors, mw_const_lines_f32 in, size_t count,
+                                 unsigned flags);
+mw_status mw_apply_line_each_f64(mw_lines_f64 out, mw_const_motors_f64 motors, mw_const_lines_f64 in, size_t count,
+                                 unsigned flags);
+
+/* All lines under every motor. */
+mw_status mw_apply_line_grid_f32(mw_lines_f32 out, size_t row_stride, mw_const_motors_f32 motors, size_t motor_count,
+                                 mw_const_lines_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_line_grid_f64(mw_lines_f64 out, size_t row_stride, mw_const_motors_f64 motors, size_t motor_count,
+                                 mw_const_lines_f64 in, size_t count, unsigned flags);
+
+/* Each line under the motor of a palette that its index names. */
+mw_status mw_apply_line_indexed_f32(mw_lines_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                    mw_indices indices, mw_const_lines_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_line_indexed_f64(mw_lines_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                    mw_indices indices, mw_const_lines_f64 in, size_t count, unsigned flags);
+
+/* The same after a look at all indices. */
+mw_status mw_apply_line_indexed_checked_f32(mw_lines_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                            mw_indices indices, mw_const_lines_f32 in, size_t count, unsigned flags,
+                                            size_t *first_bad);
+mw_status mw_apply_line_indexed_checked_f64(mw_lines_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                            mw_indices indices, mw_const_lines_f64 in, size_t count, unsigned flags,
+                                            size_t *first_bad);
+
+/* All motors under one motor. */
+mw_status mw_apply_motor_one_f32(mw_motors_f32 out, const mw_motor_f32 *motor, mw_const_motors_f32 in, size_t count,
+                                 unsigned flags);
+mw_status mw_apply_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *motor, mw_const_motors_f64 in, size_t count,
+                                 unsigned flags);
+
+/* Each motor under a motor of its own. */
+mw_status mw_apply_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, mw_const_motors_f32 in, size_t count,
+                                  unsigned flags);
+mw_status mw_apply_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, mw_const_motors_f64 in, size_t count,
+                                  unsigned flags);
+
+/* All motors under every motor. */
+mw_status mw_apply_motor_grid_f32(mw_motors_f32 out, size_t row_stride, mw_const_motors_f32 motors,
+                                  size_t motor_count, mw_const_motors_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_motor_grid_f64(mw_motors_f64 out, size_t row_stride, mw_const_motors_f64 motors,
+                                  size_t motor_count, mw_const_motors_f64 in, size_t count, unsigned flags);
+
+/* Each motor under the motor of a palette that its index names. */
+mw_status mw_apply_motor_indexed_f32(mw_motors_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                     mw_indices indices, mw_const_motors_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_motor_indexed_f64(mw_motors_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                     mw_indices indices, mw_const_motors_f64 in, size_t count, unsigned flags);
+
+/* The same after a look at all indices. */
+mw_status mw_apply_motor_indexed_checked_f32(mw_motors_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                             mw_indices indices, mw_const_motors_f32 in, size_t count, unsigned flags,
+                                             size_t *first_bad);
+mw_status mw_apply_motor_indexed_checked_f64(mw_motors_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                             mw_indices indices, mw_const_motors_f64 in, size_t count, unsigned flags,
+                                             size_t *first_bad);
+
+/* All bivectors under one motor. */
+mw_status mw_apply_bivector_one_f32(mw_bivectors_f32 out, const mw_motor_f32 *motor, mw_const_bivectors_f32 in,
+                                    size_t count, unsigned flags);
+mw_status mw_apply_bivector_one_f64(mw_bivectors_f64 out, const mw_motor_f64 *motor, mw_const_bivectors_f64 in,
+                                    size_t count, unsigned flags);
+
+/* Each bivector under a motor of its own. */
+mw_status mw_apply_bivector_each_f32(mw_bivectors_f32 out, mw_const_motors_f32 motors, mw_const_bivectors_f32 in,
+                                     size_t count, unsigned flags);
+mw_status mw_apply_bivector_each_f64(mw_bivectors_f64 out, mw_const_motors_f64 motors, mw_const_bivectors_f64 in,
+                                     size_t count, unsigned flags);
+
+/* All bivectors under every motor. */
+mw_status mw_apply_bivector_grid_f32(mw_bivectors_f32 out, size_t row_stride, mw_const_motors_f32 motors,
+                                     size_t motor_count, mw_const_bivectors_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_bivector_grid_f64(mw_bivectors_f64 out, size_t row_stride, mw_const_motors_f64 motors,
+                                     size_t motor_count, mw_const_bivectors_f64 in, size_t count, unsigned flags);
+
+/* Each bivector under the motor of a palette that its index names. */
+mw_status mw_apply_bivector_indexed_f32(mw_bivectors_f32 out, const mw_motor_f32 *palette, size_t palette_count,
+                                        mw_indices indices, mw_const_bivectors_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_bivector_indexed_f64(mw_bivectors_f64 out, const mw_motor_f64 *palette, size_t palette_count,
+                                        mw_indices indices, mw_const_bivectors_f64 in, size_t count, unsigned flags);
+
+/* The same after a look at all indices. */
+mw_status mw_apply_bivector_indexed_checked_f32(mw_bivectors_f32 out, const mw_motor_f32 *palette,
+                                                size_t palette_count, mw_indices indices, mw_const_bivectors_f32 in,
+                                                size_t count, unsigned flags, size_t *first_bad);
+mw_status mw_apply_bivector_indexed_checked_f64(mw_bivectors_f64 out, const mw_motor_f64 *palette,
+                                                size_t palette_count, mw_indices indices, mw_const_bivectors_f64 in,
+                                                size_t count, unsigned flags, size_t *first_bad);
 
 /* The list of operands, for whoever wants to say something of each. */
-#define MW_OPERANDS(use, P)                                                                                           \
-    use(point, xyz, P) use(direction, xyz, P) use(tangent, xyzw, P) use(vertex, vertices, P) use(vector, vectors, P)  \
-        use(line, lines, P) use(motor, motors, P) use(bivector, bivectors, P)
+#define MW_OPERANDS(use, P) \
+    use(point, xyz, P) use(direction, xyz, P) use(tangent, xyzw, P) use(vertex, vertices, P) use(vector, vectors, P) \
+    use(line, lines, P) use(motor, motors, P) use(bivector, bivectors, P)
 
-MW_OPERANDS(MW_DECLARE_APPLY, f32)
-MW_OPERANDS(MW_DECLARE_APPLY, f64)
-#undef MW_DECLARE_APPLY
+/* Two offsets of points, below. */
+typedef struct mw_shift { double before[3], after[3]; } mw_shift;
 
 /* Large worlds: motors of double on points of float. out[i] = F_S(points[i] - before) + after, all of it computed in
- * double and rounded once. Points may so be stored near an origin of their own, and come out near another, such as
+ * double and rounded once. So points may be stored near an origin of their own, and come out near another, such as
  * the camera: before = -(the origin of the points), after = -(the camera). `shift` null: both are zero.
- * Pairings, flags and errors as above. (Directions need no double: round the motor, and use the f32 functions.) */
-typedef struct mw_shift { double before[3], after[3]; } mw_shift;
+ * Pairings, flags and errors as above. (Directions need no double: round the motor, and use the f32 functions.)
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS, MW_ERROR_DEGENERATE_MOTOR
+ * (one), MW_ERROR_INDEX (indexed_checked), MW_ERROR_INDEX_TYPE (indexed, indexed_checked). */
+
+/* All points under one motor. */
 mw_status mw_apply_point_one_mixed(mw_xyz_f32 out, const mw_motor_f64 *motor, const mw_shift *shift,
                                    mw_const_xyz_f32 points, size_t count, unsigned flags);
+
+/* Each point under a motor of its own. */
 mw_status mw_apply_point_each_mixed(mw_xyz_f32 out, mw_const_motors_f64 motors, const mw_shift *shift,
                                     mw_const_xyz_f32 points, size_t count, unsigned flags);
+
+/* All points under every motor. */
 mw_status mw_apply_point_grid_mixed(mw_xyz_f32 out, size_t row_stride, mw_const_motors_f64 motors, size_t motor_count,
                                     const mw_shift *shift, mw_const_xyz_f32 points, size_t count, unsigned flags);
+
+/* Each point under the motor of a palette that its index names. */
 mw_status mw_apply_point_indexed_mixed(mw_xyz_f32 out, const mw_motor_f64 *palette, size_t palette_count,
                                        mw_indices indices, const mw_shift *shift, mw_const_xyz_f32 points,
                                        size_t count, unsigned flags);
+
+/* The same after a look at all indices. */
 mw_status mw_apply_point_indexed_checked_mixed(mw_xyz_f32 out, const mw_motor_f64 *palette, size_t palette_count,
                                                mw_indices indices, const mw_shift *shift, mw_const_xyz_f32 points,
                                                size_t count, unsigned flags, size_t *first_bad);
 
 /* One pass over the indices: MW_ERROR_INDEX if one is not below palette_count, and then *first_bad (unless that
- * pointer is null) is the number of the first such element. MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE,
- * MW_ERROR_INDEX_TYPE. */
+ * pointer is null) is the number of the first such element.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_INDEX, MW_ERROR_INDEX_TYPE. */
 mw_status mw_check_indices(mw_indices indices, size_t count, size_t palette_count, size_t *first_bad);
 
 /* ----------------------------------------------------------------------------------------- combining motors --- */
 
 /* out[i] = first[i] then[i], the geometric product: the motor that does `first` and then `then` (F_UV = F_V F_U,
- * lemma 3.5). MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
+ * lemma 3.5).
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_compose_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 first, mw_const_motors_f32 then,
                                     size_t count);
 mw_status mw_compose_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 first, mw_const_motors_f64 then,
                                     size_t count);
 
 /* The same where one factor is the same for all: out[i] = first then[i], and out[i] = first[i] then.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_compose_motor_one_first_f32(mw_motors_f32 out, const mw_motor_f32 *first, mw_const_motors_f32 then,
                                          size_t count);
 mw_status mw_compose_motor_one_first_f64(mw_motors_f64 out, const mw_motor_f64 *first, mw_const_motors_f64 then,
@@ -511,30 +787,30 @@ mw_status mw_compose_motor_one_then_f64(mw_motors_f64 out, mw_const_motors_f64 f
  * parents[j] < j, or negative for a root, of which out[j][i] = locals[j][i]. The motors of joint j begin
  * j * joint_stride bytes after those of joint 0, of locals and of out alike: instances side by side
  * (joint_stride >= count * stride) are a lane each, which is the fast way; skeletons one after the other have
- * stride >= joint_count * joint_stride.
+ * stride >= joint_count * joint_stride. Joints may not run into each other (MW_ERROR_STRIDE).
  * In place if locals is out; or if a motor of each, such as two fields of a joint, lies within the smaller of the two
- * strides. MW_ERROR_NULL, MW_ERROR_STRIDE (also joints that run into each other), MW_ERROR_SIZE, MW_ERROR_OVERLAP;
- * MW_ERROR_PARENT if parents[j] >= j, and then *first_bad (unless that pointer is null) is j. */
+ * strides. On MW_ERROR_PARENT *first_bad (unless that pointer is null) is the joint.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_PARENT (parents[j] >= j). */
 mw_status mw_compose_motor_hierarchy_f32(mw_motors_f32 out, mw_const_motors_f32 locals, size_t joint_stride,
-                                         const int32_t *parents, size_t joint_count, size_t count,
-                                         size_t *first_bad);
+                                         const int32_t *parents, size_t joint_count, size_t count, size_t *first_bad);
 mw_status mw_compose_motor_hierarchy_f64(mw_motors_f64 out, mw_const_motors_f64 locals, size_t joint_stride,
-                                         const int32_t *parents, size_t joint_count, size_t count,
-                                         size_t *first_bad);
+                                         const int32_t *parents, size_t joint_count, size_t count, size_t *first_bad);
 
 /* out[i] = the reverse of motors[i]: the opposite motion, and for a normalised motor its inverse.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_reverse_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, size_t count);
 mw_status mw_reverse_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
 
 /* out[i] = the motor of the same motion with S̄S = 1: motors[i] divided by the square root of the pseudoscalar
  * S̄S = α + βω (lemma 3.4, corollary 3.7), so that the translation is right as well. The sign of s is kept.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP; degenerate motors: see mw_check_motors. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP.
+ * Degenerate motors: see mw_check_motors. */
 mw_status mw_normalize_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, size_t count);
 mw_status mw_normalize_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
 
 /* out[i] = motors[i]^-1 = S̄ / (S̄S), the opposite motion, of motors that need not be normalised (lemma 3.4).
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP; degenerate motors: see mw_check_motors. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP.
+ * Degenerate motors: see mw_check_motors. */
 mw_status mw_inverse_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, size_t count);
 mw_status mw_inverse_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
 
@@ -543,8 +819,8 @@ mw_status mw_inverse_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motor
  * with T0 that of `from` and T1 that of `to`. T0^-1 T1, the pose of `to` as seen from `from`, is another one:
  * mw_inverse_motor_each(out, from, count), and then mw_compose_motor_each(out, to, out, count).
  * With MW_UNIT_MOTORS from[i] must be normalised.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS; degenerate motors: see
- * mw_check_motors. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS.
+ * Degenerate motors: see mw_check_motors. */
 mw_status mw_ratio_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 from, mw_const_motors_f32 to, size_t count,
                                   unsigned flags);
 mw_status mw_ratio_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 from, mw_const_motors_f64 to, size_t count,
@@ -557,60 +833,61 @@ mw_status mw_ratio_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 from, m
  * docs/accuracy.md has the errors of these functions and where they come from. None of them branches, but for angles of
  * thousands of turns, and none calls a mathematical library. */
 
-/* out[i] = exp(generators[i]), normalised for every finite angle: |α - 1| is at most 4 epsilons. About a coordinate axis
- * the result is that of libm's sine and cosine to a few epsilons, up to the largest finite angle; about other axes the
- * angle is also rounded, by less than its last bit. A register of lanes with |b| above 8192 (2^27 in double; above 4
- * where the instruction set does not fuse) takes some 50 ns for each of these lanes.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
+/* out[i] = exp(generators[i]), normalised for every finite angle: |α - 1| is at most 4 epsilons.
+ * About a coordinate axis the result is that of libm's sine and cosine to a few epsilons, up to the largest finite
+ * angle. About other axes the angle is also rounded, by less than its last bit.
+ * Large angles cost more: a register that holds |b| above 8192 (2^27 in double; above 4 where the instruction set does
+ * not fuse) takes some 50 ns for each lane that does.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_exp_motor_each_f32(mw_motors_f32 out, mw_const_bivectors_f32 generators, size_t count);
 mw_status mw_exp_motor_each_f64(mw_motors_f64 out, mw_const_bivectors_f64 generators, size_t count);
 
 /* out[i] = the logarithm of motors[i] or of -motors[i], which move alike, whichever turns by no more than a half turn:
  * exp(out[i]) is the motor with s >= 0. Translations are exact.
  * Motors need not be normalised; with MW_UNIT_MOTORS they must be, which saves two thirds of the time.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS; degenerate motors: see
- * mw_check_motors. */
+ *
+ * log_principal is the same for the motor itself: exp(out[i]) = motors[i], which turns by less than a full turn. Near
+ * s = -1 (a full turn) the axis is lost to rounding and the moment grows as 1/sin; where |b| <= 2^-40, as at -1 itself,
+ * there is none, and the result is that of mw_log_motor_each.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS.
+ * Degenerate motors: see mw_check_motors. */
 mw_status mw_log_motor_each_f32(mw_bivectors_f32 out, mw_const_motors_f32 motors, size_t count, unsigned flags);
 mw_status mw_log_motor_each_f64(mw_bivectors_f64 out, mw_const_motors_f64 motors, size_t count, unsigned flags);
-
-/* The same for the motor itself: exp(out[i]) = motors[i], which turns by less than a full turn. Near s = -1 (a full
- * turn) the axis is lost to rounding and the moment grows as 1/sin; where |b| <= 2^-40, as at -1 itself, there is none,
- * and the result is that of mw_log_motor_each. */
 mw_status mw_log_principal_motor_each_f32(mw_bivectors_f32 out, mw_const_motors_f32 motors, size_t count,
                                           unsigned flags);
 mw_status mw_log_principal_motor_each_f64(mw_bivectors_f64 out, mw_const_motors_f64 motors, size_t count,
                                           unsigned flags);
 
 /* out[i] = the normalised motor that does half of what motors[i], which must be normalised, does the short way.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_sqrt_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, size_t count);
 mw_status mw_sqrt_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
 
 /* out[i] = exp(t log S), the power t = exponents[i] of S = motors[i], which must be normalised, by its shortest
  * logarithm: for every t for which t times that is finite. exponents[i] is at byte offset i * exponent_stride;
  * exponent_stride 0: one exponent for all.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_power_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, const float *exponents,
                                   size_t exponent_stride, size_t count);
 mw_status mw_power_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, const double *exponents,
                                   size_t exponent_stride, size_t count);
 
 /* out[i] = first[i] (first[i]^-1 second[i])^t, the screw between two poses at t = parameters[i]: first[i] at 0 and
- * ±second[i] at 1, to rounding. Both normalised. The short way, towards second or -second, whichever is nearer; with
- * MW_LONG_WAY the other one, which turns on by what is missing to a full turn (a translation has no long way and
- * takes the short one). parameter_stride as above.
- * The short way is meant for 0 <= t <= 1, and loses little for -1 <= t <= 2. DO NOT USE IT BEYOND: for such t the result
- * is no motion. The long way, and mw_power_motor_each of mw_ratio_motor_each, take any t.
+ * ±second[i] at 1, to rounding. Both normalised. parameter_stride as above.
+ * It goes the short way, towards second or -second, whichever is nearer. With MW_LONG_WAY it goes the other one, which
+ * turns on by what is missing to a full turn (a translation has no long way and takes the short one).
+ * The short way is meant for 0 <= t <= 1, and loses little for -1 <= t <= 2. DO NOT USE IT BEYOND: for such t the
+ * result is no motion. The long way, and mw_power_motor_each of mw_ratio_motor_each, take any t.
  * The long way between poses that are near to each other is about an axis that they hardly determine: with φ the angle
  * between them, rotations are right within 7 epsilons (8 where nothing fuses) for φ >= 0.1, and within 1/φ epsilons
  * below that.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS. */
 mw_status mw_slerp_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 first, mw_const_motors_f32 second,
                                   const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
 mw_status mw_slerp_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 first, mw_const_motors_f64 second,
                                   const double *parameters, size_t parameter_stride, size_t count, unsigned flags);
 
-/* The same between two poses, at many parameters. */
+/* Between the same two poses, at many parameters. */
 mw_status mw_slerp_motor_one_f32(mw_motors_f32 out, const mw_motor_f32 *first, const mw_motor_f32 *second,
                                  const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
 mw_status mw_slerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, const mw_motor_f64 *second,
@@ -621,11 +898,13 @@ mw_status mw_slerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, c
  * constant. Both normalised; for every t of which the square, times the translations, is finite. The long way
  * (MW_LONG_WAY) is the sum with the other sign, which is degenerate where the two cancel: halfway between equal poses.
  * mw_blend_motor_* is the same without normalising.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS. */
 mw_status mw_nlerp_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 first, mw_const_motors_f32 second,
                                   const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
 mw_status mw_nlerp_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 first, mw_const_motors_f64 second,
                                   const double *parameters, size_t parameter_stride, size_t count, unsigned flags);
+
+/* Between the same two poses, at many parameters. */
 mw_status mw_nlerp_motor_one_f32(mw_motors_f32 out, const mw_motor_f32 *first, const mw_motor_f32 *second,
                                  const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
 mw_status mw_nlerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, const mw_motor_f64 *second,
@@ -645,7 +924,8 @@ mw_status mw_nlerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, c
  * Error: a few epsilons of the rotation, and of the translation relative to its length; docs/accuracy.md. */
 
 /* Unit quaternions and translations. The sign of the motor is that of the quaternion, and a quaternion of any other
- * length but zero makes a motor of that length, of the same motion: w + z e12 - y e13 + x e23, and then 1 + ½ t e∞. */
+ * length but zero makes a motor of that length, of the same motion: w + z e12 - y e13 + x e23, and then 1 + ½ t e∞.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_convert_motor_to_pose_each_f32(mw_xyzw_f32 quaternions, mw_xyz_f32 translations,
                                             mw_const_motors_f32 motors, size_t count);
 mw_status mw_convert_motor_to_pose_each_f64(mw_xyzw_f64 quaternions, mw_xyz_f64 translations,
@@ -657,7 +937,8 @@ mw_status mw_convert_pose_to_motor_each_f64(mw_motors_f64 out, mw_const_xyzw_f64
 
 /* Dual quaternions r + εd with d = ½ t r, as engines and skinning have them: r = (b23, -b13, b12; s) and
  * d = (b1i, b2i, b3i; -w). Exact. Of any length, and also where r and d are not orthogonal, as in sums of dual
- * quaternions: the motor turns as r does and then moves by the vector part of 2 d r* / |r|², as in skinning. */
+ * quaternions: the motor turns as r does and then moves by the vector part of 2 d r* / |r|², as in skinning.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_convert_motor_to_dual_quaternion_each_f32(mw_dual_quaternions_f32 out, mw_const_motors_f32 motors,
                                                        size_t count);
 mw_status mw_convert_motor_to_dual_quaternion_each_f64(mw_dual_quaternions_f64 out, mw_const_motors_f64 motors,
@@ -669,13 +950,15 @@ mw_status mw_convert_dual_quaternion_to_motor_each_f64(mw_motors_f64 out, mw_con
 
 /* Matrices. All are looked at before any is converted, and one that is no rotation and translation is
  * MW_ERROR_MATRIX: then *first_bad (unless that pointer is null) is the number of the first, and nothing is written.
- * What is meant is the distance of mw_check_matrices, and MW_MATRIX_TOLERANCE_F32 or _F64. That costs about 4 ns a
+ * What is meant is the distance of mw_check_matrices, and MW_MATRIX_TOLERANCE_F32 or _F64. That costs about 4 ns per
  * matrix of floats and 7 of doubles, where the conversion takes 2 and 5. With MW_ROTATION_MATRICES none is looked at.
  * With MW_NEAREST_ROTATION comes the rotation nearest to R, in the sum of the squares of the differences: that of a
  * matrix with scale and shear, and of one that reflects as long as a single rotation is nearest. MW_ERROR_MATRIX where
  * none is (a mirror image, which is as near to all its half turns; what leaves no plane of space), of projections, and
  * of numbers that are not finite. Slower by far: one after the other, twice each, by Jacobi's method in double.
- * Also MW_ERROR_MATRIX_LAYOUT, and from matrices MW_ERROR_FLAGS (also both flags together). */
+ * MW_ERROR_FLAGS also for both flags together.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_MATRIX_LAYOUT, MW_ERROR_MATRIX
+ * (matrix_to_motor), MW_ERROR_FLAGS (matrix_to_motor). */
 mw_status mw_convert_motor_to_matrix_each_f32(mw_matrices_f32 out, mw_const_motors_f32 motors, size_t count);
 mw_status mw_convert_motor_to_matrix_each_f64(mw_matrices_f64 out, mw_const_motors_f64 motors, size_t count);
 mw_status mw_convert_matrix_to_motor_each_f32(mw_motors_f32 out, mw_const_matrices_f32 matrices, size_t count,
@@ -688,7 +971,7 @@ mw_status mw_convert_matrix_to_motor_each_f64(mw_motors_f64 out, mw_const_matric
  * the last number is from 1. It is infinite if R is a reflection, if the last row does not begin with three zeros (to
  * 16 epsilons: the matrix projects) or if any number is not finite. *deviation is the largest distance of all. Both
  * pointers may be null.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_MATRIX_LAYOUT. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_MATRIX, MW_ERROR_MATRIX_LAYOUT. */
 mw_status mw_check_matrices_f32(mw_const_matrices_f32 matrices, size_t count, float tolerance, size_t *first_bad,
                                 float *deviation);
 mw_status mw_check_matrices_f64(mw_const_matrices_f64 matrices, size_t count, double tolerance, size_t *first_bad,
@@ -696,7 +979,8 @@ mw_status mw_check_matrices_f64(mw_const_matrices_f64 matrices, size_t count, do
 
 /* Axis and angle, and translations: x y z is the axis through the origin, and w the angle, of any finite size. THE AXIS
  * MUST HAVE LENGTH 1, which is not looked at: with another length a it turns by another angle φ, tan φ/2 = a tan θ/2.
- * (mw_rotation takes an axis of any length.) From motors come angles in [0, π]; where it is 0, the axis is z. */
+ * (mw_rotation takes an axis of any length.) From motors come angles in [0, π]; where it is 0, the axis is z.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_convert_motor_to_axis_angle_each_f32(mw_xyzw_f32 rotations, mw_xyz_f32 translations,
                                                   mw_const_motors_f32 motors, size_t count);
 mw_status mw_convert_motor_to_axis_angle_each_f64(mw_xyzw_f64 rotations, mw_xyz_f64 translations,
@@ -706,11 +990,12 @@ mw_status mw_convert_axis_angle_to_motor_each_f32(mw_motors_f32 out, mw_const_xy
 mw_status mw_convert_axis_angle_to_motor_each_f64(mw_motors_f64 out, mw_const_xyzw_f64 rotations,
                                                   mw_const_xyz_f64 translations, size_t count);
 
-/* Euler angles, and translations: x is the first angle, y the second, z the third, of any finite size. From motors come
- * the first and third angle in [-π, π]. Where these two are about the same axis (gimbal lock: the second angle is ±π/2,
- * or in orders that begin and end with the same axis 0 or π), only their sum or their difference is determined. Then the
- * third is 0 and the first has all of it, on every instruction set: as scipy has it, and engines. That begins where the
- * second angle is within 16 epsilons of those, and costs the rotation as much. Also MW_ERROR_EULER_ORDER. */
+/* Euler angles, and translations: x is the first angle, y the second, z the third, of any finite size. From motors
+ * come the first and third angle in [-π, π]. Where these two are about the same axis (gimbal lock: the second angle
+ * is ±π/2, or in orders that begin and end with the same axis 0 or π), only their sum or their difference is
+ * determined. Then the third is 0 and the first has all of it, on every instruction set: as scipy has it, and
+ * engines. That begins where the second angle is within 16 epsilons of those, and costs the rotation as much.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_EULER_ORDER. */
 mw_status mw_convert_motor_to_euler_each_f32(mw_xyz_f32 angles, mw_xyz_f32 translations, mw_const_motors_f32 motors,
                                              size_t count, mw_euler_order order);
 mw_status mw_convert_motor_to_euler_each_f64(mw_xyz_f64 angles, mw_xyz_f64 translations, mw_const_motors_f64 motors,
@@ -720,7 +1005,8 @@ mw_status mw_convert_euler_to_motor_each_f32(mw_motors_f32 out, mw_const_xyz_f32
 mw_status mw_convert_euler_to_motor_each_f64(mw_motors_f64 out, mw_const_xyz_f64 angles,
                                              mw_const_xyz_f64 translations, size_t count, mw_euler_order order);
 
-/* Translations alone: 1 + ½ t e∞ (the paper's lemma 3.10); and of any motor where it takes the origin. */
+/* Translations alone: 1 + ½ t e∞ (the paper's lemma 3.10); and of any motor where it takes the origin.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_convert_translation_to_motor_each_f32(mw_motors_f32 out, mw_const_xyz_f32 translations, size_t count);
 mw_status mw_convert_translation_to_motor_each_f64(mw_motors_f64 out, mw_const_xyz_f64 translations, size_t count);
 mw_status mw_convert_motor_to_translation_each_f32(mw_xyz_f32 translations, mw_const_motors_f32 motors, size_t count);
@@ -731,7 +1017,8 @@ mw_status mw_convert_motor_to_translation_each_f64(mw_xyz_f64 translations, mw_c
  * rotation about a point of lemma 3.11. From motors come angles in [0, π], and the point of the axis that is nearest
  * to the origin. A translation has angle 0, its own direction for the axis, and the origin for the point; so has what
  * turns by less than 2^-59. The identity has the axis z. INTO MOTORS THE AXIS MUST HAVE LENGTH 1, which is not looked
- * at: with another length the angle is wrong as above, and so is the way along the axis. */
+ * at: with another length the angle is wrong as above, and so is the way along the axis.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_convert_motor_to_screw_each_f32(mw_screws_f32 out, mw_const_motors_f32 motors, size_t count);
 mw_status mw_convert_motor_to_screw_each_f64(mw_screws_f64 out, mw_const_motors_f64 motors, size_t count);
 mw_status mw_convert_screw_to_motor_each_f32(mw_motors_f32 out, mw_const_screws_f32 screws, size_t count);
@@ -741,7 +1028,8 @@ mw_status mw_convert_screw_to_motor_each_f64(mw_motors_f64 out, mw_const_screws_
  * (their embedding, section 1): R = S̃ with its e∞ part divided by lambda, and n for e∞. The components of rotors are
  * in the order of a motor's, e1∞ standing for e1 n. Sign and length are kept, and rotors need not be normalised; exact
  * up to the rounding of 1 / lambda.
- * Also MW_ERROR_SCALE. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_SCALE (lambda is 0 or not finite,
+ * or its inverse is not). */
 mw_status mw_convert_motor_to_rotor_each_f32(mw_motors_f32 rotors, mw_const_motors_f32 motors, size_t count,
                                              float lambda);
 mw_status mw_convert_motor_to_rotor_each_f64(mw_motors_f64 rotors, mw_const_motors_f64 motors, size_t count,
@@ -762,14 +1050,14 @@ typedef struct mw_twist_f32 { float axis[3], angle, along[3], across[3]; } mw_tw
 typedef struct mw_twist_f64 { double axis[3], angle, along[3], across[3]; } mw_twist_f64;
 
 /* The parts of a generator b12 b13 b23 b1i b2i b3i; of one without rotation angle 0, axis z, and all of it in `along`
- * and `across` of that axis. Computed in double, rounded once. MW_ERROR_NULL; MW_ERROR_AXIS if a number is not
- * finite. */
+ * and `across` of that axis. Computed in double, rounded once.
+ * Errors: MW_ERROR_NULL, MW_ERROR_AXIS (a number is not finite). */
 mw_status mw_split_bivector_f32(mw_twist_f32 *out, const float bivector[6]);
 mw_status mw_split_bivector_f64(mw_twist_f64 *out, const double bivector[6]);
 
-/* The pose exp(λB), as the sum of a twist and what `across` adds (their equation (2)), and the position r_λ of what is at
- * the origin when λ = 0, a helix in closed form (section 4.1, errata.md). Computed in double, rounded once.
- * MW_ERROR_NULL; MW_ERROR_AXIS if the axis does not have length 1 (to 2^-10) or a number is not finite. */
+/* The pose exp(λB), as the sum of a twist and what `across` adds (their equation (2)), and the position r_λ of what
+ * is at the origin when λ = 0, a helix in closed form (section 4.1, errata.md). Computed in double, rounded once.
+ * Errors: MW_ERROR_NULL, MW_ERROR_AXIS (the axis does not have length 1, to 2^-10, or a number is not finite). */
 mw_status mw_twist_pose_f32(mw_motor_f32 *out, const mw_twist_f32 *twist, float lambda);
 mw_status mw_twist_pose_f64(mw_motor_f64 *out, const mw_twist_f64 *twist, double lambda);
 mw_status mw_twist_position_f32(float out[3], const mw_twist_f32 *twist, float lambda);
@@ -785,18 +1073,20 @@ typedef struct mw_weights_f64 { const double *const *terms; size_t stride; } mw_
 
 /* out[i] = Σk weights[i][k] controls[k]: weighted sums of the same control motors, term after term in the order
  * k = 0, 1, ... The result is not normalised and need not be (the paper's section 4). It is degenerate where
- * controls of opposite sign cancel.
- * Without terms (term_count = 0) every sum is the zero motor.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. Time: count * term_count. */
+ * controls of opposite sign cancel. Without terms (term_count = 0) every sum is the zero motor.
+ * Time: count * term_count.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
 mw_status mw_blend_motor_one_f32(mw_motors_f32 out, const mw_motor_f32 *controls, mw_weights_f32 weights,
                                  size_t term_count, size_t count);
 mw_status mw_blend_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *controls, mw_weights_f64 weights,
                                  size_t term_count, size_t count);
 
+/* The most terms of a blend in which each element has control motors of its own. */
+enum { MW_MAX_TERMS = 256 };
+
 /* out[i] = Σk weights[i][k] controls[k][i]: as above, each element with control motors of its own; controls[k] is
  * the view of all elements' k-th control. At most MW_MAX_TERMS terms.
- * The errors of blend_motor_one; MW_ERROR_TERM_COUNT. */
-enum { MW_MAX_TERMS = 256 };
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_TERM_COUNT. */
 mw_status mw_blend_motor_each_f32(mw_motors_f32 out, const mw_const_motors_f32 *controls, mw_weights_f32 weights,
                                   size_t term_count, size_t count);
 mw_status mw_blend_motor_each_f64(mw_motors_f64 out, const mw_const_motors_f64 *controls, mw_weights_f64 weights,
@@ -882,26 +1172,30 @@ typedef struct mw_motion_f64 {
 typedef struct mw_compiled_motion_f32 mw_compiled_motion_f32;
 typedef struct mw_compiled_motion_f64 mw_compiled_motion_f64;
 
-/* *size = how many bytes the compiled motion takes: about 8 numbers a control and (degree + 1)² a knot. This looks at
- * everything that mw_compile_motion looks at but the controls, and has its errors. */
+/* *size = how many bytes the compiled motion takes: about 8 numbers per control and (degree + 1)² per knot. This
+ * looks at everything that mw_compile_motion looks at but the controls, and has its errors.
+ * Errors: MW_ERROR_NULL, MW_ERROR_MOTION_KIND, MW_ERROR_DEGREE, MW_ERROR_CONTROL_COUNT, MW_ERROR_KNOT_COUNT,
+ * MW_ERROR_KNOTS (where: the knot), MW_ERROR_WEIGHTS (where: the control; or the kind is not additive),
+ * MW_ERROR_SIZE. */
 mw_status mw_motion_size_f32(size_t *size, const mw_motion_f32 *motion, size_t *where);
 mw_status mw_motion_size_f64(size_t *size, const mw_motion_f64 *motion, size_t *where);
 
 /* Checks a motion and makes *compiled, which is `memory`. Flags: MW_KEEP_SIGNS (not of multiplicative motions, whose
  * slerp always goes the shortest way). On an error memory is not touched, and *where (unless that pointer is null) is
  * the index of what is wrong, else 0.
- * MW_ERROR_NULL, MW_ERROR_FLAGS, MW_ERROR_MOTION_KIND, MW_ERROR_DEGREE, MW_ERROR_CONTROL_COUNT, MW_ERROR_KNOT_COUNT,
- * MW_ERROR_KNOTS (where: the knot), MW_ERROR_WEIGHTS (where: the control; or the kind is not additive),
- * MW_ERROR_DEGENERATE_MOTOR (where: the control, counted through all motions; or the base),
+ * Time: linear in controls and knots, times degree²; logarithms of the controls where the kind takes them.
+ * Errors: MW_ERROR_NULL, MW_ERROR_FLAGS, MW_ERROR_MOTION_KIND, MW_ERROR_DEGREE, MW_ERROR_CONTROL_COUNT,
+ * MW_ERROR_KNOT_COUNT, MW_ERROR_KNOTS (where: the knot), MW_ERROR_WEIGHTS (where: the control; or the kind is not
+ * additive), MW_ERROR_DEGENERATE_MOTOR (where: the control, counted through all motions; or the base),
  * MW_ERROR_VANISHING (where: the first of the degree + 1 controls that cancel; only with weights or MW_KEEP_SIGNS, or
- * where rotations are more than a half turn apart within a span), MW_ERROR_SIZE, MW_ERROR_MEMORY, MW_ERROR_OVERLAP.
- * Time: linear in controls and knots, times degree²; logarithms of the controls where the kind takes them. */
+ * where rotations are more than a half turn apart within a span), MW_ERROR_SIZE, MW_ERROR_MEMORY, MW_ERROR_OVERLAP. */
 mw_status mw_compile_motion_f32(const mw_compiled_motion_f32 **compiled, void *memory, size_t size,
                                 const mw_motion_f32 *motion, unsigned flags, size_t *where);
 mw_status mw_compile_motion_f64(const mw_compiled_motion_f64 **compiled, void *memory, size_t size,
                                 const mw_motion_f64 *motion, unsigned flags, size_t *where);
 
-/* domain[0] and domain[1] = the first and the last parameter. MW_ERROR_NULL, MW_ERROR_MOTION. */
+/* domain[0] and domain[1] = the first and the last parameter.
+ * Errors: MW_ERROR_NULL, MW_ERROR_MOTION. */
 mw_status mw_motion_domain_f32(float domain[2], const mw_compiled_motion_f32 *motion);
 mw_status mw_motion_domain_f64(double domain[2], const mw_compiled_motion_f64 *motion);
 
@@ -910,15 +1204,19 @@ mw_status mw_motion_domain_f64(double domain[2], const mw_compiled_motion_f64 *m
  * for all. At a knot inside the domain a motion is taken from the right.
  * Runs of parameters between the same two knots are fastest: sorted ones are.
  * Flags: MW_CLAMP_PARAMETERS, MW_WRAP_PARAMETERS.
- * MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP (with the parameters or the motion), MW_ERROR_FLAGS,
- * MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX; MW_ERROR_PARAMETER if a parameter is outside the domain, unless a flag says
- * what to do, or is not finite. Nothing is written on an error.
- * Operations a sample (fused multiply-adds and what costs as much), of degree d: 2 d² for the weights, and 8 (d + 1)
- * additive, ½ d (d + 1) slerps multiplicative, d exponentials and products cumulative, one of each for generators. */
+ * Operations per sample (fused multiply-adds and what costs as much), of degree d: 2 d² for the weights, and 8 (d + 1)
+ * additive, ½ d (d + 1) slerps multiplicative, d exponentials and products cumulative, one of each for generators.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP (with the parameters or the motion),
+ * MW_ERROR_FLAGS, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX, MW_ERROR_PARAMETER (outside the domain, unless a flag says
+ * what to do, or not finite). */
+
+/* Of one motion, at every parameter. */
 mw_status mw_sample_motion_one_f32(mw_motors_f32 out, const mw_compiled_motion_f32 *motion, size_t index,
                                    const float *parameters, size_t count, unsigned flags);
 mw_status mw_sample_motion_one_f64(mw_motors_f64 out, const mw_compiled_motion_f64 *motion, size_t index,
                                    const double *parameters, size_t count, unsigned flags);
+
+/* Of one motion after the other. */
 mw_status mw_sample_motion_each_f32(mw_motors_f32 out, const mw_compiled_motion_f32 *motion, size_t index,
                                     const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
 mw_status mw_sample_motion_each_f64(mw_motors_f64 out, const mw_compiled_motion_f64 *motion, size_t index,
@@ -927,46 +1225,94 @@ mw_status mw_sample_motion_each_f64(mw_motors_f64 out, const mw_compiled_motion_
 /* Samples and velocities. The twist Ω at a parameter is the bivector S^-1 S' of the normalised motion: a moment h
  * later the pose is S exp(hΩ). It generates motions as logarithms do, so it holds halves: the angular velocity is
  * 2 (b23, -b13, b12), and the velocity of what is at the origin just then is 2 (b1i, b2i, b3i). With MW_BODY_FRAME it
- * is S' S^-1, in the coordinates of the body. Both are a unit of the parameter, and exact: the same formulas are
+ * is S' S^-1, in the coordinates of the body. Both are per unit of the parameter, and exact: the same formulas are
  * evaluated over numbers that carry their derivatives. At a knot where the motion is not smooth: that of the right.
- * The flags, errors and parameters of mw_sample_motion_*, and MW_BODY_FRAME. `out` and `twists` share no byte. */
+ * The flags and parameters of mw_sample_motion_*, and MW_BODY_FRAME. `out` and `twists` share no byte.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP (with the parameters or the motion),
+ * MW_ERROR_FLAGS, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX, MW_ERROR_PARAMETER (outside the domain, unless a flag says
+ * what to do, or not finite). */
+
+/* Of one motion, at every parameter. */
 mw_status mw_sample_motion_twist_one_f32(mw_motors_f32 out, mw_bivectors_f32 twists,
                                          const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
                                          size_t count, unsigned flags);
 mw_status mw_sample_motion_twist_one_f64(mw_motors_f64 out, mw_bivectors_f64 twists,
                                          const mw_compiled_motion_f64 *motion, size_t index, const double *parameters,
                                          size_t count, unsigned flags);
+
+/* Of one motion after the other. */
 mw_status mw_sample_motion_twist_each_f32(mw_motors_f32 out, mw_bivectors_f32 twists,
                                           const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
                                           size_t parameter_stride, size_t count, unsigned flags);
 mw_status mw_sample_motion_twist_each_f64(mw_motors_f64 out, mw_bivectors_f64 twists,
-                                          const mw_compiled_motion_f64 *motion, size_t index, const double *parameters,
-                                          size_t parameter_stride, size_t count, unsigned flags);
+                                          const mw_compiled_motion_f64 *motion, size_t index,
+                                          const double *parameters, size_t parameter_stride, size_t count,
+                                          unsigned flags);
 
 /* A motion straight onto elements: row m of out is `in` under the motion at parameters[m], as mw_apply_<operand>_grid
  * does it of motors. The poses are made some at a time and never leave the first cache.
- * Flags: those of apply and of mw_sample_motion_one. The errors of both. */
-#define MW_DECLARE_APPLY_MOTION(operand, views, P)                                                                    \
-    mw_status mw_apply_##operand##_motion_##P(mw_##views##_##P out, size_t row_stride,                                \
-                                              const mw_compiled_motion_##P *motion, size_t index,                     \
-                                              const MW_SCALAR_##P *parameters, size_t parameter_count,                \
-                                              mw_const_##views##_##P in, size_t count, unsigned flags);
-#define MW_SCALAR_f32 float
-#define MW_SCALAR_f64 double
-MW_OPERANDS(MW_DECLARE_APPLY_MOTION, f32)
-MW_OPERANDS(MW_DECLARE_APPLY_MOTION, f64)
-#undef MW_SCALAR_f32
-#undef MW_SCALAR_f64
-#undef MW_DECLARE_APPLY_MOTION
+ * Flags: those of apply and of mw_sample_motion_one.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP (with the parameters or the motion),
+ * MW_ERROR_FLAGS, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX, MW_ERROR_PARAMETER (outside the domain, unless a flag says
+ * what to do, or not finite). */
+mw_status mw_apply_point_motion_f32(mw_xyz_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
+                                    size_t index, const float *parameters, size_t parameter_count,
+                                    mw_const_xyz_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_point_motion_f64(mw_xyz_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
+                                    size_t index, const double *parameters, size_t parameter_count,
+                                    mw_const_xyz_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_direction_motion_f32(mw_xyz_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
+                                        size_t index, const float *parameters, size_t parameter_count,
+                                        mw_const_xyz_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_direction_motion_f64(mw_xyz_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
+                                        size_t index, const double *parameters, size_t parameter_count,
+                                        mw_const_xyz_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_tangent_motion_f32(mw_xyzw_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
+                                      size_t index, const float *parameters, size_t parameter_count,
+                                      mw_const_xyzw_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_tangent_motion_f64(mw_xyzw_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
+                                      size_t index, const double *parameters, size_t parameter_count,
+                                      mw_const_xyzw_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_vertex_motion_f32(mw_vertices_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
+                                     size_t index, const float *parameters, size_t parameter_count,
+                                     mw_const_vertices_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_vertex_motion_f64(mw_vertices_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
+                                     size_t index, const double *parameters, size_t parameter_count,
+                                     mw_const_vertices_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_vector_motion_f32(mw_vectors_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
+                                     size_t index, const float *parameters, size_t parameter_count,
+                                     mw_const_vectors_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_vector_motion_f64(mw_vectors_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
+                                     size_t index, const double *parameters, size_t parameter_count,
+                                     mw_const_vectors_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_line_motion_f32(mw_lines_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
+                                   size_t index, const float *parameters, size_t parameter_count,
+                                   mw_const_lines_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_line_motion_f64(mw_lines_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
+                                   size_t index, const double *parameters, size_t parameter_count,
+                                   mw_const_lines_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_motor_motion_f32(mw_motors_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
+                                    size_t index, const float *parameters, size_t parameter_count,
+                                    mw_const_motors_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_motor_motion_f64(mw_motors_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
+                                    size_t index, const double *parameters, size_t parameter_count,
+                                    mw_const_motors_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_bivector_motion_f32(mw_bivectors_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
+                                       size_t index, const float *parameters, size_t parameter_count,
+                                       mw_const_bivectors_f32 in, size_t count, unsigned flags);
+mw_status mw_apply_bivector_motion_f64(mw_bivectors_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
+                                       size_t index, const double *parameters, size_t parameter_count,
+                                       mw_const_bivectors_f64 in, size_t count, unsigned flags);
 
-/* The velocity of the point of the body that is at `place`, under a twist of the space. MW_ERROR_NULL. */
+/* The velocity of the point of the body that is at `place`, under a twist of the space.
+ * Errors: MW_ERROR_NULL. */
 mw_status mw_twist_velocity_f32(float velocity[3], const float twist[6], const float place[3]);
 mw_status mw_twist_velocity_f64(double velocity[3], const double twist[6], const double place[3]);
 
 /* lengths[i] = the length of the way of a point of the body, from the start of the domain to parameters[i], which must
- * not decrease. Integrated from the twists, to a few epsilons of the whole length and of the coordinates. `lengths` may
- * be `parameters`. MW_ERROR_NULL, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX,
- * MW_ERROR_PARAMETER (also one that decreases). */
+ * not decrease (MW_ERROR_PARAMETER). Integrated from the twists, to a few epsilons of the whole length and of the
+ * coordinates. `lengths` may be `parameters`.
+ * Errors: MW_ERROR_NULL, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX, MW_ERROR_PARAMETER. */
 mw_status mw_motion_lengths_f32(float *lengths, const mw_compiled_motion_f32 *motion, size_t index,
                                 const float point[3], const float *parameters, size_t count);
 mw_status mw_motion_lengths_f64(double *lengths, const mw_compiled_motion_f64 *motion, size_t index,
@@ -975,7 +1321,7 @@ mw_status mw_motion_lengths_f64(double *lengths, const mw_compiled_motion_f64 *m
 /* parameters[i] = where a point of the body has gone the part i / (count - 1) of its whole way: samples there are
  * equally far apart along it. The first and the last are the ends of the domain; one alone is its start. If the point
  * never moves, by more than rounding, or is not finite, the parameters are equally far apart instead.
- * MW_ERROR_NULL, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX. */
+ * Errors: MW_ERROR_NULL, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX. */
 mw_status mw_motion_even_parameters_f32(float *parameters, const mw_compiled_motion_f32 *motion, size_t index,
                                         const float point[3], size_t count);
 mw_status mw_motion_even_parameters_f64(double *parameters, const mw_compiled_motion_f64 *motion, size_t index,
@@ -995,7 +1341,8 @@ typedef struct mw_motion_distance_f64 {
     size_t point;
 } mw_motion_distance_f64;
 
-/* MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX. Time: count * sample_count. */
+/* Time: count * sample_count.
+ * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX. */
 mw_status mw_compare_motions_f32(mw_motion_distance_f32 *largest, const mw_compiled_motion_f32 *first,
                                  size_t first_index, const mw_compiled_motion_f32 *second, size_t second_index,
                                  mw_const_xyz_f32 points, size_t count, size_t sample_count);
@@ -1020,17 +1367,17 @@ typedef struct mw_motion_arrays_f64 {
 } mw_motion_arrays_f64;
 
 /* Controls of a motion that passes through `count` keys at times that increase: additive or cumulative, of a degree
- * below the number of keys. As many controls as keys; knots are means of the times of `degree` neighbours (de Boor), so
- * that the equations have one solution. Additive: they are solved in one go. Cumulative: by Newton's method, in a few
- * rounds. Keys are taken with the signs of the shortest way. COMPILE THE RESULT WITH MW_KEEP_SIGNS: neighbouring controls
- * may be more than a half turn apart even where keys are not.
+ * below the number of keys. As many controls as keys; knots are means of the times of `degree` neighbours (de Boor),
+ * so that the equations have one solution. Additive: they are solved in one go. Cumulative: by Newton's method, in a
+ * few rounds. Keys are taken with the signs of the shortest way. COMPILE THE RESULT WITH MW_KEEP_SIGNS: neighbouring
+ * controls may be more than a half turn apart even where keys are not.
  * `memory`: *size bytes of working memory, aligned to 8; null to be told by *size how many, which reads nothing but
  * kind, degree and count. Arrays may be `keys` and `times` themselves.
- * MW_ERROR_NULL, MW_ERROR_MOTION_KIND, MW_ERROR_DEGREE, MW_ERROR_CONTROL_COUNT, MW_ERROR_KNOTS (where: the time),
- * MW_ERROR_DEGENERATE_MOTOR (where: the key), MW_ERROR_MEMORY (also arrays that are too small), MW_ERROR_SIZE,
+ * Time: count * degree², ten times that per round if cumulative.
+ * Errors: MW_ERROR_NULL, MW_ERROR_MOTION_KIND, MW_ERROR_DEGREE, MW_ERROR_CONTROL_COUNT, MW_ERROR_KNOTS (where: the
+ * time), MW_ERROR_DEGENERATE_MOTOR (where: the key), MW_ERROR_MEMORY (also arrays that are too small), MW_ERROR_SIZE,
  * MW_ERROR_OVERLAP, MW_ERROR_CONVERGENCE (no controls, or none less than a full turn apart from their neighbours:
- * cumulative motions through keys that turn far between each other, at uneven times, need such ones. Add keys).
- * Time: count * degree², ten times that a round if cumulative. */
+ * cumulative motions through keys that turn far between each other, at uneven times, need such ones. Add keys). */
 mw_status mw_interpolate_keys_f32(mw_motion_f32 *out, mw_motion_arrays_f32 arrays, mw_motion_kind kind,
                                   unsigned degree, const mw_motor_f32 *keys, const float *times, size_t count,
                                   void *memory, size_t *size, size_t *where);
@@ -1038,18 +1385,20 @@ mw_status mw_interpolate_keys_f64(mw_motion_f64 *out, mw_motion_arrays_f64 array
                                   unsigned degree, const mw_motor_f64 *keys, const double *times, size_t count,
                                   void *memory, size_t *size, size_t *where);
 
-/* The same additive motion written with more controls: with a knot inserted `times` times, of one degree more, or in two
- * parts, before and after a parameter. Weights are multiplied into the controls of the result, which has none.
- * Of open additive motions with one set of controls: MW_ERROR_MOTION_KIND of others. The errors of mw_motion_size;
- * MW_ERROR_PARAMETER if the knot is not strictly inside the domain; MW_ERROR_KNOTS if it would be repeated more than
- * degree + 1 times, or is less than a normal number from another; MW_ERROR_DEGREE beyond MW_MAX_DEGREE;
- * MW_ERROR_OVERLAP; MW_ERROR_MEMORY if the arrays are too small, such as {0}: *out then says by control_count and
- * knot_count what it takes.
- * Signs are kept as they are: compile the result with MW_KEEP_SIGNS. The arrays share no byte with the motion. */
+/* The same additive motion written with more controls: with a knot inserted `times` times, of one degree more, or in
+ * two parts, before and after a parameter. Weights are multiplied into the controls of the result, which has none. Of
+ * open additive motions with one set of controls: MW_ERROR_MOTION_KIND of others.
+ * Signs are kept as they are: compile the result with MW_KEEP_SIGNS. The arrays share no byte with the motion. If they
+ * are too small, such as {0}, *out says by control_count and knot_count what it takes.
+ * Errors: MW_ERROR_NULL, MW_ERROR_MOTION_KIND, MW_ERROR_DEGREE, MW_ERROR_CONTROL_COUNT, MW_ERROR_KNOT_COUNT,
+ * MW_ERROR_KNOTS (where: the knot), MW_ERROR_WEIGHTS (where: the control; or the kind is not additive),
+ * MW_ERROR_SIZE, MW_ERROR_PARAMETER (the knot is not strictly inside the domain), MW_ERROR_KNOTS (it would be
+ * repeated more than degree + 1 times, or is less than a normal number from another), MW_ERROR_DEGREE (beyond
+ * MW_MAX_DEGREE), MW_ERROR_OVERLAP, MW_ERROR_MEMORY (the arrays are too small). */
 mw_status mw_insert_knot_f32(mw_motion_f32 *out, mw_motion_arrays_f32 arrays, const mw_motion_f32 *motion, float knot,
                              unsigned times);
-mw_status mw_insert_knot_f64(mw_motion_f64 *out, mw_motion_arrays_f64 arrays, const mw_motion_f64 *motion, double knot,
-                             unsigned times);
+mw_status mw_insert_knot_f64(mw_motion_f64 *out, mw_motion_arrays_f64 arrays, const mw_motion_f64 *motion,
+                             double knot, unsigned times);
 mw_status mw_elevate_degree_f32(mw_motion_f32 *out, mw_motion_arrays_f32 arrays, const mw_motion_f32 *motion);
 mw_status mw_elevate_degree_f64(mw_motion_f64 *out, mw_motion_arrays_f64 arrays, const mw_motion_f64 *motion);
 mw_status mw_split_motion_f32(mw_motion_f32 *before, mw_motion_arrays_f32 before_arrays, mw_motion_f32 *after,

@@ -19,7 +19,7 @@ template <class T> struct numbers {
 
 // What a call writes.
 template <class... Views> using outputs = std::tuple<const Views &...>;
-template <class... Views> outputs<Views...> to(const Views &...out) { return {out...}; }
+template <class... Views> outputs<Views...> into(const Views &...out) { return {out...}; }
 
 // ---------------------------------------------------------------------------------------------------- validation
 
@@ -50,8 +50,8 @@ template <class T, int N, int M, class... Inputs>
 mw_status check_streams(const outputs<view<T, N>, view<T, M>> &out, std::size_t count, const Inputs &...in)
 {
     const auto &[first, second] = out;
-    mw_status status = check_streams(to(first), count, in...);
-    status = status != MW_OK ? status : check_streams(to(second), count, in...);
+    mw_status status = check_streams(into(first), count, in...);
+    status = status != MW_OK ? status : check_streams(into(second), count, in...);
     return status != MW_OK ? status : check_apart(first, second.as_const(), count);
 }
 
@@ -77,8 +77,8 @@ template <class T, int N, int M, class... Inputs>
 bool is_usual_call(const outputs<view<T, N>, view<T, M>> &out, std::size_t count, const Inputs &...in)
 {
     const auto &[first, second] = out;
-    return !usual_range(first, count).meets(usual_range(second, count)) && is_usual_call(to(first), count, in...) &&
-           is_usual_call(to(second), count, in...);
+    return !usual_range(first, count).meets(usual_range(second, count)) && is_usual_call(into(first), count, in...) &&
+           is_usual_call(into(second), count, in...);
 }
 
 // ---------------------------------------------------------------------------------------------------------- calls
@@ -114,7 +114,7 @@ void call_inputs(kernel_id id, const T *fixed, const outputs<Output> &out, std::
     T same[chunk];
     std::fill_n(same, std::min(chunk, count), *parameter.first);
     for (std::size_t begin = 0; begin < count; begin += chunk)
-        call_streams(id, fixed, to(std::get<0>(out).from(begin)), std::min(chunk, count - begin), in.from(begin)...,
+        call_streams(id, fixed, into(std::get<0>(out).from(begin)), std::min(chunk, count - begin), in.from(begin)...,
                      view<const T, 1>{{same}, sizeof(T)});
 }
 
@@ -125,26 +125,39 @@ mw_status check_call(const outputs<Outputs...> &out, std::size_t count, const In
     return is_usual_call(out, count, in...) ? MW_OK : check_streams(out, count, in...);
 }
 
-// A call of the API. The inputs are views; numbers, if any, come before them.
+// A kernel, or one of two by a flag.
+struct kernel_choice {
+    kernel_id id;
+    bool flags_known = true;
+
+    kernel_choice(kernel_id only) : id(only) {}
+    kernel_choice(kernel_id usual, kernel_id flagged, unsigned flag, unsigned flags)
+        : id(flags & flag ? flagged : usual), flags_known(!(flags & ~flag))
+    {
+    }
+};
+
+// A call of the API. The inputs are views; numbers, if any, come before them. `fixed` is what all elements share.
 template <class T, class... Outputs, class... Inputs>
-mw_status run_streams(kernel_id id, const T *fixed, const outputs<Outputs...> &out, std::size_t count,
-                      const Inputs &...in)
+mw_status run_streams_of(const kernel_choice &kernel, const T *fixed, const outputs<Outputs...> &out, std::size_t count,
+                         const Inputs &...in)
 {
     if (!kernels())
         return MW_ERROR_ISA;
+    if (!kernel.flags_known)
+        return MW_ERROR_FLAGS;
     if (count == 0)
         return MW_OK;
     const mw_status status = check_call(out, count, in...);
     if (status == MW_OK)
-        call_inputs(id, fixed, out, count, in...);
+        call_inputs(kernel.id, fixed, out, count, in...);
     return status;
 }
-
-// The same of a kernel whose elements share nothing.
 template <class T, int... N, class... Inputs>
-mw_status run_streams(kernel_id id, const outputs<view<T, N>...> &out, std::size_t count, const Inputs &...in)
+mw_status run_streams(const kernel_choice &kernel, const outputs<view<T, N>...> &out, std::size_t count,
+                      const Inputs &...in)
 {
-    return run_streams(id, static_cast<const T *>(nullptr), out, count, in...);
+    return run_streams_of(kernel, static_cast<const T *>(nullptr), out, count, in...);
 }
 
 } // namespace motorway

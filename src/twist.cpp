@@ -104,17 +104,4 @@ template <class T, class Twist> mw_status twist_position(T *out, const Twist *tw
 } // namespace motorway
 
 using namespace motorway;
-
-#define MOTORWAY_TWISTS(P, T)                                                                                         \
-    mw_status mw_split_bivector_##P(mw_twist_##P *out, const T bivector[6]) { return split_bivector(out, bivector); } \
-    mw_status mw_twist_pose_##P(mw_motor_##P *out, const mw_twist_##P *twist, T lambda)                               \
-    {                                                                                                                 \
-        return twist_pose(out, twist, lambda);                                                                        \
-    }                                                                                                                 \
-    mw_status mw_twist_position_##P(T out[3], const mw_twist_##P *twist, T lambda)                                    \
-    {                                                                                                                 \
-        return twist_position(out, twist, lambda);                                                                    \
-    }
-
-MOTORWAY_TWISTS(f32, float)
-MOTORWAY_TWISTS(f64, double)
+#include "../generated/calls/twist.inc"

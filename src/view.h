@@ -66,15 +66,12 @@ private:
     }
 };
 
-template <class T, class XYZ> view<T, 3> view_of_xyz(const XYZ &v) { return {{v.x, v.y, v.z}, v.stride}; }
-template <class T, class Motors> view<T, 8> view_of_motors(const Motors &v)
-{
-    return {{v.s, v.b12, v.b13, v.b23, v.b1i, v.b2i, v.b3i, v.w}, v.stride};
-}
+// Of the public ones.
+#include "../generated/views.inc"
 
 // Motors as the eight numbers that each is.
-template <class T> const T *numbers_of(const mw_motor_f32 *motors) { return reinterpret_cast<const T *>(motors); }
-template <class T> const T *numbers_of(const mw_motor_f64 *motors) { return reinterpret_cast<const T *>(motors); }
+inline const float *numbers_of(const mw_motor_f32 *motors) { return reinterpret_cast<const float *>(motors); }
+inline const double *numbers_of(const mw_motor_f64 *motors) { return reinterpret_cast<const double *>(motors); }
 static_assert(sizeof(mw_motor_f32) == 8 * sizeof(float) && sizeof(mw_motor_f64) == 8 * sizeof(double));
 
 // ------------------------------------------------------------------------------------------------ shared bytes

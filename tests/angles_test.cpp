@@ -24,9 +24,9 @@ using Quaternion = std::vector<long double>;  // s b12 b13 b23
 template <class T>
 class AnglesTest : public ::testing::Test {
 protected:
-    using A = Api<T>;
-    using C = ConvertApi<T>;
-    using Motor = typename A::Motor;
+    using A = api<T>;
+    using C = api<T>;
+    using Motor = typename A::motor;
 
     static constexpr long double epsilon = std::numeric_limits<T>::epsilon();
     static constexpr int smallest = std::numeric_limits<T>::min_exponent, largest = std::numeric_limits<T>::max_exponent;
@@ -62,7 +62,7 @@ protected:
         std::vector<Motor> result(bivectors.size() / 6);
         const std::size_t stride = 6 * sizeof(T);
         T *const first = const_cast<T *>(bivectors.data());
-        const typename A::ConstBivectors in = {first, first + 1, first + 2, first + 3, first + 4, first + 5, stride};
+        const typename A::const_bivectors in = {first, first + 1, first + 2, first + 3, first + 4, first + 5, stride};
         EXPECT_EQ(A::exp_motor_each(A::motors_aos(result.data(), sizeof(Motor)), in, result.size()), MW_OK);
         return result;
     }
@@ -72,8 +72,8 @@ protected:
         std::vector<Motor> result(rotations.size() / 4);
         const std::vector<T> origin(3 * result.size());
         T *const first = const_cast<T *>(rotations.data());
-        const typename C::ConstXyzw in = {first, first + 1, first + 2, first + 3, 4 * sizeof(T)};
-        EXPECT_EQ(C::axis_angle_to_motor(A::motors_aos(result.data(), sizeof(Motor)), in,
+        const typename C::const_xyzw in = {first, first + 1, first + 2, first + 3, 4 * sizeof(T)};
+        EXPECT_EQ(C::convert_axis_angle_to_motor_each(A::motors_aos(result.data(), sizeof(Motor)), in,
                                          A::const_xyz_aos(origin.data(), 3 * sizeof(T)), result.size()),
                   MW_OK);
         return result;
@@ -83,7 +83,7 @@ protected:
     {
         std::vector<Motor> result(angles.size() / 3);
         const std::vector<T> origin(angles.size());
-        EXPECT_EQ(C::euler_to_motor(A::motors_aos(result.data(), sizeof(Motor)),
+        EXPECT_EQ(C::convert_euler_to_motor_each(A::motors_aos(result.data(), sizeof(Motor)),
                                     A::const_xyz_aos(angles.data(), 3 * sizeof(T)),
                                     A::const_xyz_aos(origin.data(), 3 * sizeof(T)), result.size(), order),
                   MW_OK);
@@ -93,7 +93,7 @@ protected:
     static std::vector<T> euler_of(const std::vector<Motor> &motors, mw_euler_order order)
     {
         std::vector<T> angles(3 * motors.size()), positions(angles.size());
-        EXPECT_EQ(C::motor_to_euler(A::xyz_aos(angles.data(), 3 * sizeof(T)), A::xyz_aos(positions.data(), 3 * sizeof(T)),
+        EXPECT_EQ(C::convert_motor_to_euler_each(A::xyz_aos(angles.data(), 3 * sizeof(T)), A::xyz_aos(positions.data(), 3 * sizeof(T)),
                                     A::const_motors_aos(motors.data(), sizeof(Motor)), motors.size(), order),
                   MW_OK);
         return angles;
@@ -341,7 +341,7 @@ TYPED_TEST(AnglesTest, AnglesStayWithinTheirBounds)
         Random random(9);
         const T pi = static_cast<T>(3.14159265358979323846L), half_pi = static_cast<T>(3.14159265358979323846L / 2);
         // Half turns and what is near them, about all kinds of axes.
-        std::vector<typename Api<T>::Motor> motors;
+        std::vector<typename api<T>::motor> motors;
         const T close = static_cast<T>(0x1.cd129p-115);
         motors.push_back({-close, static_cast<T>(-0x1.410beep-1), static_cast<T>(-0x1.5f3e6ap-1),
                           static_cast<T>(0x1.79e4b8p-2), 0, 0, 0, 0});
@@ -355,11 +355,11 @@ TYPED_TEST(AnglesTest, AnglesStayWithinTheirBounds)
         }
         std::vector<T> rotations(4 * motors.size()), positions(3 * motors.size()), screws(8 * motors.size());
         T *const r = rotations.data(), *const q = screws.data();
-        const auto in = Api<T>::const_motors_aos(motors.data(), sizeof motors[0]);
-        ASSERT_EQ(ConvertApi<T>::motor_to_axis_angle({r, r + 1, r + 2, r + 3, 4 * sizeof(T)},
-                                                     Api<T>::xyz_aos(positions.data(), 3 * sizeof(T)), in, motors.size()),
+        const auto in = api<T>::const_motors_aos(motors.data(), sizeof motors[0]);
+        ASSERT_EQ(api<T>::convert_motor_to_axis_angle_each({r, r + 1, r + 2, r + 3, 4 * sizeof(T)},
+                                                     api<T>::xyz_aos(positions.data(), 3 * sizeof(T)), in, motors.size()),
                   MW_OK);
-        ASSERT_EQ(ConvertApi<T>::motor_to_screw({q, q + 1, q + 2, q + 3, q + 4, q + 5, q + 6, q + 7, 8 * sizeof(T)}, in,
+        ASSERT_EQ(api<T>::convert_motor_to_screw_each({q, q + 1, q + 2, q + 3, q + 4, q + 5, q + 6, q + 7, 8 * sizeof(T)}, in,
                                                 motors.size()),
                   MW_OK);
         for (std::size_t i = 0; i < motors.size(); ++i) {
@@ -384,14 +384,14 @@ TYPED_TEST(AnglesTest, PowersOfEverySizeAreUnitMotors)
     this->on_every_isa([&] {
         using T = TypeParam;
         Random random(10);
-        std::vector<typename Api<T>::Motor> motors, result(batch);
+        std::vector<typename api<T>::motor> motors, result(batch);
         std::vector<T> exponents;
         for (std::size_t i = 0; i < batch; ++i) {
             motors.push_back({T(0.8), T(0.6), 0, 0, 0, 0, 0, 0});
             exponents.push_back(i == 0 ? T(80925848) : this->number(random, this->smallest, this->largest - 3));
         }
-        ASSERT_EQ(Api<T>::power_motor_each(Api<T>::motors_aos(result.data(), sizeof result[0]),
-                                           Api<T>::const_motors_aos(motors.data(), sizeof motors[0]), exponents.data(),
+        ASSERT_EQ(api<T>::power_motor_each(api<T>::motors_aos(result.data(), sizeof result[0]),
+                                           api<T>::const_motors_aos(motors.data(), sizeof motors[0]), exponents.data(),
                                            sizeof(T), batch),
                   MW_OK);
         for (std::size_t i = 0; i < batch; ++i)

@@ -200,7 +200,7 @@ template <class T>
 class Vertices {
 public:
     static constexpr std::size_t count = 67;
-    using Api_ = Api<T>;
+    using Api_ = api<T>;
 
     Vertices()
     {
@@ -229,8 +229,8 @@ public:
 
 private:
     struct Xyz {
-        typename Api_::Xyz out;
-        typename Api_::ConstXyz in;
+        typename Api_::xyz out;
+        typename Api_::const_xyz in;
     };
     static Xyz xyz(T *first, std::size_t step)
     {
@@ -239,7 +239,7 @@ private:
 
     void run(Pairing pairing, unsigned flags, Xyz out_p, Xyz out_n, Xyz in_p, Xyz in_n)
     {
-        const auto *motor = reinterpret_cast<const typename Api_::Motor *>(motors_);
+        const auto *motor = reinterpret_cast<const typename Api_::motor *>(motors_);
         const auto motors = Api_::const_motors_aos(motor, sizeof *motor);
         const mw_indices indices = mw_indices_u8(indices_, 1);
         mw_status status = MW_ERROR_ISA;

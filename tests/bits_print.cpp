@@ -125,12 +125,12 @@ void print_motions(mw_motion_kind kind)
             const T point[3] = {1, -2, T(0.5)};
             std::vector<T> way(2), even(9);
             const T domain[] = {motion.first(), motion.last()};
-            expect_ok(Api<T>::motion_lengths(way.data(), motion.get(), 0, point, domain, 2), "lengths");
-            expect_ok(Api<T>::motion_even_parameters(even.data(), motion.get(), 0, point, 9), "even");
+            expect_ok(api<T>::motion_lengths(way.data(), motion.get(), 0, point, domain, 2), "lengths");
+            expect_ok(api<T>::motion_even_parameters(even.data(), motion.get(), 0, point, 9), "even");
             lengths.add(way);
             lengths.add(even);
         }
-    const std::string of = std::string(name_of(kind)) + " " + Api<T>::name;
+    const std::string of = std::string(name_of(kind)) + " " + api<T>::name;
     compiled.print(of + " compiled");
     poses.print(of + " poses");
     twists.print(of + " twists");
@@ -142,7 +142,7 @@ void print_motions(mw_motion_kind kind)
 template <class T>
 void print_rotations()
 {
-    using C = ConvertApi<T>;
+    using C = api<T>;
     Hash rotations, twists, nearest;
     Random random(19);
     for (int k = 0; k < 1000; ++k) {
@@ -155,12 +155,12 @@ void print_rotations()
             number = static_cast<T>(random.magnitude(1e-6, 1e6));
         for (T &number : matrix)
             number = static_cast<T>(random.uniform(-2, 2));
-        typename Api<T>::Motor motor;
+        typename api<T>::motor motor;
         const auto angle = static_cast<T>(random.magnitude(1e-6, 1e30));
-        expect_ok(Api<T>::rotation(&motor, axis, angle, point), "rotation");
+        expect_ok(api<T>::rotation(&motor, axis, angle, point), "rotation");
         rotations.add(&motor.s, 8);
 
-        typename C::Twist twist;
+        typename C::twist twist;
         expect_ok(C::split_bivector(&twist, bivector), "split_bivector");
         expect_ok(C::twist_pose(&motor, &twist, T(0.375)), "twist_pose");
         expect_ok(C::twist_position(point, &twist, T(0.375)), "twist_position");
@@ -168,14 +168,14 @@ void print_rotations()
         twists.add(&motor.s, 8);
         twists.add(point, 3);
 
-        const typename C::ConstMatrices in{matrix, sizeof matrix, MW_MATRIX_ROWS_3X4};
-        expect_ok(C::matrix_to_motor(packed_motors(&motor.s), in, 1, MW_NEAREST_ROTATION, nullptr),
+        const typename C::const_matrices in{matrix, sizeof matrix, MW_MATRIX_ROWS_3X4};
+        expect_ok(C::convert_matrix_to_motor_each(packed_motors(&motor.s), in, 1, MW_NEAREST_ROTATION, nullptr),
                   "nearest rotation");
         nearest.add(&motor.s, 8);
     }
-    rotations.print(std::string("rotation ") + Api<T>::name);
-    twists.print(std::string("twists ") + Api<T>::name);
-    nearest.print(std::string("nearest rotation ") + Api<T>::name);
+    rotations.print(std::string("rotation ") + api<T>::name);
+    twists.print(std::string("twists ") + api<T>::name);
+    nearest.print(std::string("nearest rotation ") + api<T>::name);
 }
 
 // Controls of a motion through keys; by Newton's method if it is cumulative.
@@ -191,17 +191,17 @@ void print_interpolation(mw_motion_kind kind)
     while (times.size() < count)
         times.push_back(times.back() + static_cast<T>(random.uniform(1, 1.5)));
     std::size_t size = 0;
-    expect_ok(Api<T>::interpolate_keys(nullptr, {}, kind, degree, nullptr, nullptr, count, nullptr, &size, nullptr),
+    expect_ok(api<T>::interpolate_keys(nullptr, {}, kind, degree, nullptr, nullptr, count, nullptr, &size, nullptr),
               "interpolate_keys");
     std::vector<double> memory(size / sizeof(double) + 1);
-    typename Api<T>::Motion motion;
-    expect_ok(Api<T>::interpolate_keys(&motion, {keys.controls.data(), count, knots.data(), knots.size()}, kind, degree,
+    typename api<T>::motion motion;
+    expect_ok(api<T>::interpolate_keys(&motion, {keys.controls.data(), count, knots.data(), knots.size()}, kind, degree,
                                        keys.controls.data(), times.data(), count, memory.data(), &size, nullptr),
               "interpolate_keys");
     Hash hash;
     hash.add(&keys.controls[0].s, 8 * count);
     hash.add(knots);
-    hash.print(std::string("keys ") + name_of(kind) + " " + Api<T>::name);
+    hash.print(std::string("keys ") + name_of(kind) + " " + api<T>::name);
 }
 
 template <class T>

@@ -24,7 +24,7 @@ void expect_same_bits(const Subject<T> &subject, const std::vector<std::string> 
             first = pool.alone;
         for (std::size_t k = 0; k < first.size(); ++k)
             ASSERT_TRUE(same(first[k], pool.alone[k]))
-                << subject.name() << " " << Api<T>::name << ", element " << k / pool.output_components
+                << subject.name() << " " << api<T>::name << ", element " << k / pool.output_components
                 << ", component " << k % pool.output_components << ": " << std::hexfloat << first[k] << " on "
                 << isas.front() << " and " << pool.alone[k] << " on " << isa;
     }

@@ -56,8 +56,8 @@ public:
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
-        const auto *controls = reinterpret_cast<const typename Api<T>::Motor *>(placed_);
-        return Api<T>::blend_motor_one(out.motors(), controls, inputs[0].weights(), terms_, count);
+        const auto *controls = reinterpret_cast<const typename api<T>::motor *>(placed_);
+        return api<T>::blend_motor_one(out.motors(), controls, inputs[0].weights(), terms_, count);
     }
 
     void draw(Random &random, T *const *inputs) const override { draw_weights(random, inputs[0], terms_); }
@@ -95,10 +95,10 @@ public:
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
-        std::vector<typename Api<T>::ConstMotors> controls;
+        std::vector<typename api<T>::const_motors> controls;
         for (std::size_t k = 0; k < terms_; ++k)
             controls.push_back(inputs[k + 1].const_motors());
-        return Api<T>::blend_motor_each(out.motors(), controls.data(), inputs[0].weights(), terms_, count);
+        return api<T>::blend_motor_each(out.motors(), controls.data(), inputs[0].weights(), terms_, count);
     }
 
     void draw(Random &random, T *const *inputs) const override

@@ -148,9 +148,9 @@ TYPED_TEST_SUITE(HierarchyCallTest, Precisions, PrecisionName);
 TYPED_TEST(HierarchyCallTest, no_field_is_left_to_chance)
 {
     using T = TypeParam;
-    using A = Api<T>;
-    const std::vector<typename A::Motor> locals(2 * enough, {1, 0, 0, 0, 0, 0, 0, 0});
-    std::vector<typename A::Motor> out(locals);
+    using A = api<T>;
+    const std::vector<typename A::motor> locals(2 * enough, {1, 0, 0, 0, 0, 0, 0, 0});
+    std::vector<typename A::motor> out(locals);
     const std::int32_t parents[] = {-1, 0};
     const std::size_t stride = sizeof locals[0];
     const Spies spies;
@@ -164,8 +164,8 @@ TYPED_TEST(HierarchyCallTest, no_field_is_left_to_chance)
 TYPED_TEST(HierarchyCallTest, stores_past_the_caches_are_fenced)
 {
     using T = TypeParam;
-    using A = Api<T>;
-    const typename A::Motor motor{1, 0, 0, 0, 0, 0, 0, 0};
+    using A = api<T>;
+    const typename A::motor motor{1, 0, 0, 0, 0, 0, 0, 0};
     std::vector<T> in(3 * enough, T(1)), out(3 * enough);
     for (unsigned flags : {unsigned(MW_STREAMING_STORES), unsigned(MW_NO_STREAMING_STORES), unsigned(MW_DEFAULT)}) {
         const Spies spies;

@@ -39,7 +39,7 @@ public:
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
-        return Api<T>::compose_motor_each(out.motors(), inputs[0].const_motors(), inputs[1].const_motors(), count);
+        return api<T>::compose_motor_each(out.motors(), inputs[0].const_motors(), inputs[1].const_motors(), count);
     }
 
     void draw(Random &random, T *const *inputs) const override
@@ -75,10 +75,10 @@ public:
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
-        const auto *motor = reinterpret_cast<const typename Api<T>::Motor *>(motor_);
+        const auto *motor = reinterpret_cast<const typename api<T>::motor *>(motor_);
         return fixed_ == Fixed::first
-                   ? Api<T>::compose_motor_one_first(out.motors(), motor, inputs[0].const_motors(), count)
-                   : Api<T>::compose_motor_one_then(out.motors(), inputs[0].const_motors(), motor, count);
+                   ? api<T>::compose_motor_one_first(out.motors(), motor, inputs[0].const_motors(), count)
+                   : api<T>::compose_motor_one_then(out.motors(), inputs[0].const_motors(), motor, count);
     }
 
     void draw(Random &random, T *const *inputs) const override

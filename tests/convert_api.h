@@ -1,5 +1,4 @@
-// The conversions, matrices and twists of the C API by precision: ConvertApi<float>::motor_to_pose is
-// mw_convert_motor_to_pose_each_f32. And views of any components as those that they take.
+// Views of any components as those that conversions take.
 #ifndef MOTORWAY_TESTS_CONVERT_API_H
 #define MOTORWAY_TESTS_CONVERT_API_H
 
@@ -10,49 +9,6 @@
 #include "motorway.h"
 
 namespace motorway::testing {
-
-template <class T>
-struct ConvertApi;
-
-#define MOTORWAY_TEST_CONVERT_API(T, precision)                                                          \
-    template <>                                                                                          \
-    struct ConvertApi<T> {                                                                               \
-        using Xyzw = mw_xyzw_##precision;                                                                \
-        using ConstXyzw = mw_const_xyzw_##precision;                                                     \
-        using DualQuaternions = mw_dual_quaternions_##precision;                                         \
-        using ConstDualQuaternions = mw_const_dual_quaternions_##precision;                              \
-        using Screws = mw_screws_##precision;                                                            \
-        using ConstScrews = mw_const_screws_##precision;                                                 \
-        using Matrices = mw_matrices_##precision;                                                        \
-        using ConstMatrices = mw_const_matrices_##precision;                                             \
-        using Twist = mw_twist_##precision;                                                              \
-        static constexpr auto motor_to_pose = mw_convert_motor_to_pose_each_##precision;                 \
-        static constexpr auto pose_to_motor = mw_convert_pose_to_motor_each_##precision;                 \
-        static constexpr auto motor_to_dual_quaternion =                                                 \
-            mw_convert_motor_to_dual_quaternion_each_##precision;                                        \
-        static constexpr auto dual_quaternion_to_motor =                                                 \
-            mw_convert_dual_quaternion_to_motor_each_##precision;                                        \
-        static constexpr auto motor_to_matrix = mw_convert_motor_to_matrix_each_##precision;             \
-        static constexpr auto matrix_to_motor = mw_convert_matrix_to_motor_each_##precision;             \
-        static constexpr auto check_matrices = mw_check_matrices_##precision;                            \
-        static constexpr auto motor_to_axis_angle = mw_convert_motor_to_axis_angle_each_##precision;     \
-        static constexpr auto axis_angle_to_motor = mw_convert_axis_angle_to_motor_each_##precision;     \
-        static constexpr auto motor_to_euler = mw_convert_motor_to_euler_each_##precision;               \
-        static constexpr auto euler_to_motor = mw_convert_euler_to_motor_each_##precision;               \
-        static constexpr auto translation_to_motor = mw_convert_translation_to_motor_each_##precision;   \
-        static constexpr auto motor_to_translation = mw_convert_motor_to_translation_each_##precision;   \
-        static constexpr auto motor_to_screw = mw_convert_motor_to_screw_each_##precision;               \
-        static constexpr auto screw_to_motor = mw_convert_screw_to_motor_each_##precision;               \
-        static constexpr auto motor_to_rotor = mw_convert_motor_to_rotor_each_##precision;               \
-        static constexpr auto rotor_to_motor = mw_convert_rotor_to_motor_each_##precision;               \
-        static constexpr auto split_bivector = mw_split_bivector_##precision;                            \
-        static constexpr auto twist_pose = mw_twist_pose_##precision;                                    \
-        static constexpr auto twist_position = mw_twist_position_##precision;                            \
-    };
-
-MOTORWAY_TEST_CONVERT_API(float, f32)
-MOTORWAY_TEST_CONVERT_API(double, f64)
-#undef MOTORWAY_TEST_CONVERT_API
 
 // The quaternion whose x, y, z and w are these components of the view.
 template <class Quaternions, class T>

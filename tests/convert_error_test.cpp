@@ -35,11 +35,11 @@ protected:
     static auto xyz(T *components) { return packed_view(components, 3).xyz(); }
     static auto const_xyz(T *components) { return packed_view(components, 3).const_xyz(); }
 
-    static typename ConvertApi<T>::Matrices matrices(T *numbers, mw_matrix_layout layout)
+    static typename api<T>::matrices matrices(T *numbers, mw_matrix_layout layout)
     {
         return {numbers, numbers_of(layout) * sizeof(T), layout};
     }
-    static typename ConvertApi<T>::ConstMatrices const_matrices(const T *numbers, mw_matrix_layout layout)
+    static typename api<T>::const_matrices const_matrices(const T *numbers, mw_matrix_layout layout)
     {
         return {numbers, numbers_of(layout) * sizeof(T), layout};
     }
@@ -80,36 +80,36 @@ struct PoseFunction {
 template <class T>
 std::vector<PoseFunction<T>> pose_functions()
 {
-    using C = ConvertApi<T>;
-    using A = Api<T>;
+    using C = api<T>;
+    using A = api<T>;
     using Views = const PoseViews<T> &;
-    const auto rotations = [](Views v) { return quaternions<typename C::Xyzw>(v.rotation, x_first); };
-    const auto const_rotations = [](Views v) { return quaternions<typename C::ConstXyzw>(v.rotation, x_first); };
+    const auto rotations = [](Views v) { return quaternions<typename C::xyzw>(v.rotation, x_first); };
+    const auto const_rotations = [](Views v) { return quaternions<typename C::const_xyzw>(v.rotation, x_first); };
     return {
         {"motor_to_pose", 4,
          [=](Views v) {
-             return C::motor_to_pose(rotations(v), v.translation.xyz(), v.motors.const_motors(), v.count);
+             return C::convert_motor_to_pose_each(rotations(v), v.translation.xyz(), v.motors.const_motors(), v.count);
          }},
         {"pose_to_motor", 4,
          [=](Views v) {
-             return C::pose_to_motor(v.motors.motors(), const_rotations(v), v.translation.const_xyz(), v.count);
+             return C::convert_pose_to_motor_each(v.motors.motors(), const_rotations(v), v.translation.const_xyz(), v.count);
          }},
         {"motor_to_axis_angle", 4,
          [=](Views v) {
-             return C::motor_to_axis_angle(rotations(v), v.translation.xyz(), v.motors.const_motors(), v.count);
+             return C::convert_motor_to_axis_angle_each(rotations(v), v.translation.xyz(), v.motors.const_motors(), v.count);
          }},
         {"axis_angle_to_motor", 4,
          [=](Views v) {
-             return C::axis_angle_to_motor(v.motors.motors(), const_rotations(v), v.translation.const_xyz(), v.count);
+             return C::convert_axis_angle_to_motor_each(v.motors.motors(), const_rotations(v), v.translation.const_xyz(), v.count);
          }},
         {"motor_to_euler", 3,
          [](Views v) {
-             return C::motor_to_euler(vectors<typename A::Xyz>(v.rotation, 0), v.translation.xyz(),
+             return C::convert_motor_to_euler_each(vectors<typename A::xyz>(v.rotation, 0), v.translation.xyz(),
                                       v.motors.const_motors(), v.count, MW_EULER_ZYX);
          }},
         {"euler_to_motor", 3,
          [](Views v) {
-             return C::euler_to_motor(v.motors.motors(), vectors<typename A::ConstXyz>(v.rotation, 0),
+             return C::convert_euler_to_motor_each(v.motors.motors(), vectors<typename A::const_xyz>(v.rotation, 0),
                                       v.translation.const_xyz(), v.count, MW_EULER_ZYX);
          }},
     };
@@ -196,7 +196,7 @@ TYPED_TEST(ConvertErrorTest, interleaved_views_of_a_pose)
 TYPED_TEST(ConvertErrorTest, views_of_matrices)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
+    using C = api<T>;
     for (mw_matrix_layout layout : all_matrix_layouts) {
         const std::string name = name_of(layout);
         // Of all three functions; the numbers that the check is not to write are among those compared.
@@ -205,11 +205,11 @@ TYPED_TEST(ConvertErrorTest, views_of_matrices)
             auto *const bad = reinterpret_cast<std::size_t *>(this->third());
             const auto motors = this->motors(this->second());
             const auto const_motors = this->const_motors(this->second());
-            this->expect(status, [&] { return C::motor_to_matrix({first, stride, layout}, const_motors, elements); },
+            this->expect(status, [&] { return C::convert_motor_to_matrix_each({first, stride, layout}, const_motors, elements); },
                          name + " from motors, " + what);
             for (unsigned flags : all_matrix_flags)
                 this->expect(status,
-                             [&] { return C::matrix_to_motor(motors, {first, stride, layout}, elements, flags, nullptr); },
+                             [&] { return C::convert_matrix_to_motor_each(motors, {first, stride, layout}, elements, flags, nullptr); },
                              name + " to motors, " + what);
             this->expect(status,
                          [&] {
@@ -230,28 +230,28 @@ TYPED_TEST(ConvertErrorTest, views_of_matrices)
 TYPED_TEST(ConvertErrorTest, motors_that_are_no_view_and_matrices)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
+    using C = api<T>;
     const mw_matrix_layout layout = MW_MATRIX_ROWS_3X4;
     for (std::size_t c = 0; c < 8; ++c) {
         View<T> view = packed_view(this->second(), 8);
         view.component[c] = nullptr;
         this->expect(MW_ERROR_NULL, [&] {
-            return C::motor_to_matrix(this->matrices(this->first(), layout), view.const_motors(), this->count);
+            return C::convert_motor_to_matrix_each(this->matrices(this->first(), layout), view.const_motors(), this->count);
         });
         for (unsigned flags : all_matrix_flags)
             this->expect(MW_ERROR_NULL, [&] {
-                return C::matrix_to_motor(view.motors(), this->const_matrices(this->first(), layout), this->count,
+                return C::convert_matrix_to_motor_each(view.motors(), this->const_matrices(this->first(), layout), this->count,
                                           flags, nullptr);
             });
     }
     View<T> narrow = packed_view(this->second(), 8);
     narrow.stride -= 1;
     this->expect(MW_ERROR_STRIDE, [&] {
-        return C::motor_to_matrix(this->matrices(this->first(), layout), narrow.const_motors(), this->count);
+        return C::convert_motor_to_matrix_each(this->matrices(this->first(), layout), narrow.const_motors(), this->count);
     });
     for (unsigned flags : all_matrix_flags)
         this->expect(MW_ERROR_STRIDE, [&] {
-            return C::matrix_to_motor(narrow.motors(), this->const_matrices(this->first(), layout), this->count,
+            return C::convert_matrix_to_motor_each(narrow.motors(), this->const_matrices(this->first(), layout), this->count,
                                       flags, nullptr);
         });
 }
@@ -259,26 +259,26 @@ TYPED_TEST(ConvertErrorTest, motors_that_are_no_view_and_matrices)
 TYPED_TEST(ConvertErrorTest, matrices_over_motors)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
+    using C = api<T>;
     for (mw_matrix_layout layout : all_matrix_layouts) {
         const std::size_t numbers = numbers_of(layout);
         T *const matrices = this->second();
         for (T *motors :
              {matrices, matrices + 1, matrices + numbers * this->count - 4, matrices - 8 * this->count + 1}) {
             this->expect(MW_ERROR_OVERLAP, [&] {
-                return C::motor_to_matrix(this->matrices(matrices, layout), this->const_motors(motors), this->count);
+                return C::convert_motor_to_matrix_each(this->matrices(matrices, layout), this->const_motors(motors), this->count);
             });
             for (unsigned flags : all_matrix_flags) {
                 this->expect(MW_ERROR_OVERLAP, [&] {
-                    return C::matrix_to_motor(this->motors(motors), this->const_matrices(matrices, layout),
+                    return C::convert_matrix_to_motor_each(this->motors(motors), this->const_matrices(matrices, layout),
                                               this->count, flags, nullptr);
                 });
             }
         }
-        EXPECT_EQ(C::motor_to_matrix(this->matrices(matrices, layout),
+        EXPECT_EQ(C::convert_motor_to_matrix_each(this->matrices(matrices, layout),
                                      this->const_motors(matrices + numbers * this->count), this->count),
                   MW_OK);
-        EXPECT_EQ(C::matrix_to_motor(this->motors(matrices - 8 * this->count),
+        EXPECT_EQ(C::convert_matrix_to_motor_each(this->motors(matrices - 8 * this->count),
                                      this->const_matrices(matrices, layout), this->count, MW_ROTATION_MATRICES,
                                      nullptr),
                   MW_OK);
@@ -288,16 +288,16 @@ TYPED_TEST(ConvertErrorTest, matrices_over_motors)
 TYPED_TEST(ConvertErrorTest, a_layout_that_is_none)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
+    using C = api<T>;
     for (int number : {0, 5, 6, 7}) { // what fits the enumeration
         const auto layout = static_cast<mw_matrix_layout>(number);
         const std::size_t stride = sizeof(T[16]);
         this->expect(MW_ERROR_MATRIX_LAYOUT, [&] {
-            return C::motor_to_matrix({this->first(), stride, layout}, this->const_motors(this->second()), 1);
+            return C::convert_motor_to_matrix_each({this->first(), stride, layout}, this->const_motors(this->second()), 1);
         });
         for (unsigned flags : all_matrix_flags)
             this->expect(MW_ERROR_MATRIX_LAYOUT, [&] {
-                return C::matrix_to_motor(this->motors(this->second()), {this->first(), stride, layout}, 1, flags,
+                return C::convert_matrix_to_motor_each(this->motors(this->second()), {this->first(), stride, layout}, 1, flags,
                                           nullptr);
             });
         this->expect(MW_ERROR_MATRIX_LAYOUT, [&] {
@@ -309,12 +309,12 @@ TYPED_TEST(ConvertErrorTest, a_layout_that_is_none)
 TYPED_TEST(ConvertErrorTest, flags_that_matrices_do_not_know)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
+    using C = api<T>;
     for (unsigned flags : {unsigned(MW_UNIT_MOTORS), unsigned(MW_STREAMING_STORES), unsigned(MW_NO_STREAMING_STORES),
                            unsigned(MW_LONG_WAY), unsigned(MW_NEAREST_ROTATION | MW_UNIT_MOTORS),
                            unsigned(MW_NEAREST_ROTATION | MW_ROTATION_MATRICES), 1u << 20, ~0u})
         this->expect(MW_ERROR_FLAGS, [&] {
-            return C::matrix_to_motor(this->motors(this->second()),
+            return C::convert_matrix_to_motor_each(this->motors(this->second()),
                                       this->const_matrices(this->first(), MW_MATRIX_ROWS_3X4), this->count, flags,
                                       nullptr);
         });
@@ -325,15 +325,15 @@ TYPED_TEST(ConvertErrorTest, flags_that_matrices_do_not_know)
 TYPED_TEST(ConvertErrorTest, an_order_that_is_none)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
+    using C = api<T>;
     for (int number : {12, 13, 15}) { // what fits the enumeration
         const auto order = static_cast<mw_euler_order>(number);
         this->expect(MW_ERROR_EULER_ORDER, [&] {
-            return C::motor_to_euler(this->xyz(this->first()), this->xyz(this->second()),
+            return C::convert_motor_to_euler_each(this->xyz(this->first()), this->xyz(this->second()),
                                      this->const_motors(this->third()), this->count, order);
         });
         this->expect(MW_ERROR_EULER_ORDER, [&] {
-            return C::euler_to_motor(this->motors(this->third()), this->const_xyz(this->first()),
+            return C::convert_euler_to_motor_each(this->motors(this->third()), this->const_xyz(this->first()),
                                      this->const_xyz(this->second()), this->count, order);
         });
     }
@@ -343,18 +343,18 @@ TYPED_TEST(ConvertErrorTest, an_order_that_is_none)
 TYPED_TEST(ConvertErrorTest, scales_that_are_none)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
+    using C = api<T>;
     using Limits = std::numeric_limits<T>;
     const auto motors = this->motors(this->second());
     const auto in = this->const_motors(this->first());
     for (T lambda :
          {T(0), -T(0), Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), Limits::denorm_min()}) {
-        this->expect(MW_ERROR_SCALE, [&] { return C::motor_to_rotor(motors, in, this->count, lambda); });
-        this->expect(MW_ERROR_SCALE, [&] { return C::rotor_to_motor(motors, in, this->count, lambda); });
+        this->expect(MW_ERROR_SCALE, [&] { return C::convert_motor_to_rotor_each(motors, in, this->count, lambda); });
+        this->expect(MW_ERROR_SCALE, [&] { return C::convert_rotor_to_motor_each(motors, in, this->count, lambda); });
     }
     for (T lambda : {Limits::min(), T(-2), T(1e30)}) {
-        EXPECT_EQ(C::motor_to_rotor(motors, in, this->count, lambda), MW_OK) << lambda;
-        EXPECT_EQ(C::rotor_to_motor(motors, in, this->count, lambda), MW_OK) << lambda;
+        EXPECT_EQ(C::convert_motor_to_rotor_each(motors, in, this->count, lambda), MW_OK) << lambda;
+        EXPECT_EQ(C::convert_rotor_to_motor_each(motors, in, this->count, lambda), MW_OK) << lambda;
     }
 }
 
@@ -363,31 +363,31 @@ TYPED_TEST(ConvertErrorTest, scales_that_are_none)
 TYPED_TEST(ConvertErrorTest, a_count_of_0_takes_null_pointers)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
-    const typename Api<T>::Motors motors{};
-    const typename Api<T>::ConstMotors const_motors{};
-    const typename Api<T>::Xyz xyz{};
-    const typename Api<T>::ConstXyz const_xyz{};
-    const typename C::Xyzw xyzw{};
-    const typename C::ConstXyzw const_xyzw{};
-    EXPECT_EQ(C::motor_to_pose(xyzw, xyz, const_motors, 0), MW_OK);
-    EXPECT_EQ(C::pose_to_motor(motors, const_xyzw, const_xyz, 0), MW_OK);
-    EXPECT_EQ(C::motor_to_dual_quaternion({}, const_motors, 0), MW_OK);
-    EXPECT_EQ(C::dual_quaternion_to_motor(motors, {}, 0), MW_OK);
-    EXPECT_EQ(C::motor_to_axis_angle(xyzw, xyz, const_motors, 0), MW_OK);
-    EXPECT_EQ(C::axis_angle_to_motor(motors, const_xyzw, const_xyz, 0), MW_OK);
-    EXPECT_EQ(C::motor_to_euler(xyz, xyz, const_motors, 0, MW_EULER_XYZ), MW_OK);
-    EXPECT_EQ(C::euler_to_motor(motors, const_xyz, const_xyz, 0, MW_EULER_ZYZ), MW_OK);
-    EXPECT_EQ(C::translation_to_motor(motors, const_xyz, 0), MW_OK);
-    EXPECT_EQ(C::motor_to_translation(xyz, const_motors, 0), MW_OK);
-    EXPECT_EQ(C::motor_to_screw({}, const_motors, 0), MW_OK);
-    EXPECT_EQ(C::screw_to_motor(motors, {}, 0), MW_OK);
-    EXPECT_EQ(C::motor_to_rotor(motors, const_motors, 0, T(1)), MW_OK);
-    EXPECT_EQ(C::rotor_to_motor(motors, const_motors, 0, T(1)), MW_OK);
+    using C = api<T>;
+    const typename api<T>::motors motors{};
+    const typename api<T>::const_motors const_motors{};
+    const typename api<T>::xyz xyz{};
+    const typename api<T>::const_xyz const_xyz{};
+    const typename C::xyzw xyzw{};
+    const typename C::const_xyzw const_xyzw{};
+    EXPECT_EQ(C::convert_motor_to_pose_each(xyzw, xyz, const_motors, 0), MW_OK);
+    EXPECT_EQ(C::convert_pose_to_motor_each(motors, const_xyzw, const_xyz, 0), MW_OK);
+    EXPECT_EQ(C::convert_motor_to_dual_quaternion_each({}, const_motors, 0), MW_OK);
+    EXPECT_EQ(C::convert_dual_quaternion_to_motor_each(motors, {}, 0), MW_OK);
+    EXPECT_EQ(C::convert_motor_to_axis_angle_each(xyzw, xyz, const_motors, 0), MW_OK);
+    EXPECT_EQ(C::convert_axis_angle_to_motor_each(motors, const_xyzw, const_xyz, 0), MW_OK);
+    EXPECT_EQ(C::convert_motor_to_euler_each(xyz, xyz, const_motors, 0, MW_EULER_XYZ), MW_OK);
+    EXPECT_EQ(C::convert_euler_to_motor_each(motors, const_xyz, const_xyz, 0, MW_EULER_ZYZ), MW_OK);
+    EXPECT_EQ(C::convert_translation_to_motor_each(motors, const_xyz, 0), MW_OK);
+    EXPECT_EQ(C::convert_motor_to_translation_each(xyz, const_motors, 0), MW_OK);
+    EXPECT_EQ(C::convert_motor_to_screw_each({}, const_motors, 0), MW_OK);
+    EXPECT_EQ(C::convert_screw_to_motor_each(motors, {}, 0), MW_OK);
+    EXPECT_EQ(C::convert_motor_to_rotor_each(motors, const_motors, 0, T(1)), MW_OK);
+    EXPECT_EQ(C::convert_rotor_to_motor_each(motors, const_motors, 0, T(1)), MW_OK);
     for (mw_matrix_layout layout : all_matrix_layouts) {
-        EXPECT_EQ(C::motor_to_matrix({nullptr, 0, layout}, const_motors, 0), MW_OK);
+        EXPECT_EQ(C::convert_motor_to_matrix_each({nullptr, 0, layout}, const_motors, 0), MW_OK);
         for (unsigned flags : all_matrix_flags)
-            EXPECT_EQ(C::matrix_to_motor(motors, {nullptr, 0, layout}, 0, flags, nullptr), MW_OK);
+            EXPECT_EQ(C::convert_matrix_to_motor_each(motors, {nullptr, 0, layout}, 0, flags, nullptr), MW_OK);
         std::size_t bad = 7;
         T deviation = 7;
         EXPECT_EQ(C::check_matrices({nullptr, 0, layout}, 0, T(0), &bad, &deviation), MW_OK);

@@ -48,15 +48,15 @@ struct Representation {
 template <class T>
 Representation<T> poses(const char *name, const std::array<std::size_t, 4> &places)
 {
-    using C = ConvertApi<T>;
+    using C = api<T>;
     return {name, 7,
             [places](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::motor_to_pose(quaternions<typename C::Xyzw>(out, places),
-                                        vectors<typename Api<T>::Xyz>(out, 4), in.const_motors(), count);
+                return C::convert_motor_to_pose_each(quaternions<typename C::xyzw>(out, places),
+                                        vectors<typename api<T>::xyz>(out, 4), in.const_motors(), count);
             },
             [places](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::pose_to_motor(out.motors(), quaternions<typename C::ConstXyzw>(in, places),
-                                        vectors<typename Api<T>::ConstXyz>(in, 4), count);
+                return C::convert_pose_to_motor_each(out.motors(), quaternions<typename C::const_xyzw>(in, places),
+                                        vectors<typename api<T>::const_xyz>(in, 4), count);
             },
             places == x_first ? Numbers<T>{0, 0, 0, 1, 0, 0, 0} : Numbers<T>{1, 0, 0, 0, 0, 0, 0}};
 }
@@ -64,15 +64,15 @@ Representation<T> poses(const char *name, const std::array<std::size_t, 4> &plac
 template <class T>
 Representation<T> dual(const char *name, const std::array<std::size_t, 4> &places)
 {
-    using C = ConvertApi<T>;
+    using C = api<T>;
     return {name, 8,
             [places](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::motor_to_dual_quaternion(dual_quaternions<typename C::DualQuaternions>(out, places),
+                return C::convert_motor_to_dual_quaternion_each(dual_quaternions<typename C::dual_quaternions>(out, places),
                                                    in.const_motors(), count);
             },
             [places](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::dual_quaternion_to_motor(
-                    out.motors(), dual_quaternions<typename C::ConstDualQuaternions>(in, places), count);
+                return C::convert_dual_quaternion_to_motor_each(
+                    out.motors(), dual_quaternions<typename C::const_dual_quaternions>(in, places), count);
             },
             places == x_first ? Numbers<T>{0, 0, 0, 1, 0, 0, 0, 0} : Numbers<T>{1, 0, 0, 0, 0, 0, 0, 0}};
 }
@@ -80,7 +80,7 @@ Representation<T> dual(const char *name, const std::array<std::size_t, 4> &place
 template <class T>
 Representation<T> matrices(mw_matrix_layout layout, unsigned flags = MW_DEFAULT)
 {
-    using C = ConvertApi<T>;
+    using C = api<T>;
     const std::size_t size = numbers_of(layout);
     Numbers<T> identity(size);
     for (std::size_t k = 0; k < 3; ++k)
@@ -89,10 +89,10 @@ Representation<T> matrices(mw_matrix_layout layout, unsigned flags = MW_DEFAULT)
         identity[15] = 1;
     return {name_of(layout), size,
             [layout](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::motor_to_matrix({out.component[0], out.stride, layout}, in.const_motors(), count);
+                return C::convert_motor_to_matrix_each({out.component[0], out.stride, layout}, in.const_motors(), count);
             },
             [layout, flags](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::matrix_to_motor(out.motors(), {in.component[0], in.stride, layout}, count, flags, nullptr);
+                return C::convert_matrix_to_motor_each(out.motors(), {in.component[0], in.stride, layout}, count, flags, nullptr);
             },
             identity};
 }
@@ -100,15 +100,15 @@ Representation<T> matrices(mw_matrix_layout layout, unsigned flags = MW_DEFAULT)
 template <class T>
 Representation<T> axes_and_angles()
 {
-    using C = ConvertApi<T>;
+    using C = api<T>;
     return {"axis and angle", 7,
             [](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::motor_to_axis_angle(quaternions<typename C::Xyzw>(out, x_first),
-                                              vectors<typename Api<T>::Xyz>(out, 4), in.const_motors(), count);
+                return C::convert_motor_to_axis_angle_each(quaternions<typename C::xyzw>(out, x_first),
+                                              vectors<typename api<T>::xyz>(out, 4), in.const_motors(), count);
             },
             [](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::axis_angle_to_motor(out.motors(), quaternions<typename C::ConstXyzw>(in, x_first),
-                                              vectors<typename Api<T>::ConstXyz>(in, 4), count);
+                return C::convert_axis_angle_to_motor_each(out.motors(), quaternions<typename C::const_xyzw>(in, x_first),
+                                              vectors<typename api<T>::const_xyz>(in, 4), count);
             },
             {0, 0, 1, 0, 0, 0, 0}};
 }
@@ -116,15 +116,15 @@ Representation<T> axes_and_angles()
 template <class T>
 Representation<T> euler_angles(mw_euler_order order)
 {
-    using C = ConvertApi<T>;
+    using C = api<T>;
     return {std::string("Euler ") + names_of_orders[order], 6,
             [order](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::motor_to_euler(vectors<typename Api<T>::Xyz>(out, 0), vectors<typename Api<T>::Xyz>(out, 3),
+                return C::convert_motor_to_euler_each(vectors<typename api<T>::xyz>(out, 0), vectors<typename api<T>::xyz>(out, 3),
                                          in.const_motors(), count, order);
             },
             [order](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::euler_to_motor(out.motors(), vectors<typename Api<T>::ConstXyz>(in, 0),
-                                         vectors<typename Api<T>::ConstXyz>(in, 3), count, order);
+                return C::convert_euler_to_motor_each(out.motors(), vectors<typename api<T>::const_xyz>(in, 0),
+                                         vectors<typename api<T>::const_xyz>(in, 3), count, order);
             },
             {0, 0, 0, 0, 0, 0}};
 }
@@ -132,13 +132,13 @@ Representation<T> euler_angles(mw_euler_order order)
 template <class T>
 Representation<T> all_screws()
 {
-    using C = ConvertApi<T>;
+    using C = api<T>;
     return {"screw", 8,
             [](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::motor_to_screw(screws<typename C::Screws>(out), in.const_motors(), count);
+                return C::convert_motor_to_screw_each(screws<typename C::screws>(out), in.const_motors(), count);
             },
             [](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::screw_to_motor(out.motors(), screws<typename C::ConstScrews>(in), count);
+                return C::convert_screw_to_motor_each(out.motors(), screws<typename C::const_screws>(in), count);
             },
             {0, 0, 1, 0, 0, 0, 0, 0}};
 }
@@ -146,13 +146,13 @@ Representation<T> all_screws()
 template <class T>
 Representation<T> rotors(T lambda)
 {
-    using C = ConvertApi<T>;
+    using C = api<T>;
     return {"rotor in units of " + std::to_string(lambda), 8,
             [lambda](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::motor_to_rotor(out.motors(), in.const_motors(), count, lambda);
+                return C::convert_motor_to_rotor_each(out.motors(), in.const_motors(), count, lambda);
             },
             [lambda](const View<T> &out, const View<T> &in, std::size_t count) {
-                return C::rotor_to_motor(out.motors(), in.const_motors(), count, lambda);
+                return C::convert_rotor_to_motor_each(out.motors(), in.const_motors(), count, lambda);
             },
             {1, 0, 0, 0, 0, 0, 0, 0}};
 }
@@ -247,7 +247,7 @@ protected:
     {
         Numbers<T> out(points.size());
         const View<T> in = packed_view(const_cast<T *>(points.data()), 3);
-        EXPECT_EQ(Api<T>::apply_point_each(packed_view(out.data(), 3).xyz(),
+        EXPECT_EQ(api<T>::apply_point_each(packed_view(out.data(), 3).xyz(),
                                            packed_view(const_cast<T *>(motors.data()), 8).const_motors(),
                                            in.const_xyz(), points.size() / 3, MW_DEFAULT),
                   MW_OK);
@@ -573,7 +573,7 @@ TYPED_TEST(ConvertTest, euler_angles_at_gimbal_lock_have_a_third_angle_of_0)
 TYPED_TEST(ConvertTest, screws_are_rotations_and_translations)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     Random random(8);
     const Representation<T> screw = all_screws<T>();
     for (int k = 0; k < 500; ++k) {
@@ -585,7 +585,7 @@ TYPED_TEST(ConvertTest, screws_are_rotations_and_translations)
         const T distance = k % 3 == 0 ? T(0) : static_cast<T>(random.uniform(-5, 5));
         const T way[3] = {distance * axis[0], distance * axis[1], distance * axis[2]};
         Numbers<T> rotation(8), translation(8), product(8);
-        const auto motor = [](Numbers<T> &numbers) { return reinterpret_cast<typename A::Motor *>(numbers.data()); };
+        const auto motor = [](Numbers<T> &numbers) { return reinterpret_cast<typename A::motor *>(numbers.data()); };
         const auto view = [](Numbers<T> &numbers) { return packed_view(numbers.data(), 8); };
         ASSERT_EQ(A::rotation(motor(rotation), axis, angle, point), MW_OK);
         ASSERT_EQ(A::translation(motor(translation), way), MW_OK);
@@ -736,12 +736,12 @@ TYPED_TEST(ConvertTest, quarter_turns_about_x_and_y)
 TYPED_TEST(ConvertTest, translations)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
+    using C = api<T>;
     Numbers<T> in = {1, -2, 3}, motor(8), back(3);
     const View<T> motors = packed_view(motor.data(), 8);
-    ASSERT_EQ(C::translation_to_motor(motors.motors(), packed_view(in.data(), 3).const_xyz(), 1), MW_OK);
+    ASSERT_EQ(C::convert_translation_to_motor_each(motors.motors(), packed_view(in.data(), 3).const_xyz(), 1), MW_OK);
     EXPECT_EQ(motor, (Numbers<T>{1, 0, 0, 0, T(0.5), -1, T(1.5), 0}));
-    ASSERT_EQ(C::motor_to_translation(packed_view(back.data(), 3).xyz(), motors.const_motors(), 1), MW_OK);
+    ASSERT_EQ(C::convert_motor_to_translation_each(packed_view(back.data(), 3).xyz(), motors.const_motors(), 1), MW_OK);
     EXPECT_EQ(back, in);
 }
 
@@ -931,7 +931,7 @@ template <class T>
 Check<T> check(const Numbers<T> &in, mw_matrix_layout layout, T tolerance)
 {
     Check<T> result{};
-    result.status = ConvertApi<T>::check_matrices({in.data(), numbers_of(layout) * sizeof(T), layout},
+    result.status = api<T>::check_matrices({in.data(), numbers_of(layout) * sizeof(T), layout},
                                                   in.size() / numbers_of(layout), tolerance, &result.first_bad,
                                                   &result.deviation);
     return result;
@@ -973,7 +973,7 @@ TYPED_TEST(ConvertTest, the_deviation_is_the_largest_and_the_first_is_named)
         EXPECT_EQ(check(in, layout, T(33.0 / 256)).first_bad, 2u);  // just within
         EXPECT_EQ(check(in, layout, T(0.5)).status, MW_OK);
         const std::size_t stride = one.size() * sizeof(T);
-        EXPECT_EQ(ConvertApi<T>::check_matrices({in.data(), stride, layout}, 5, T(0.125), nullptr, nullptr),
+        EXPECT_EQ(api<T>::check_matrices({in.data(), stride, layout}, 5, T(0.125), nullptr, nullptr),
                   MW_ERROR_MATRIX);
     }
 }

@@ -136,8 +136,8 @@ Conversion<T> motor_to_pose(const char *name, const std::array<std::size_t, 4> &
 {
     Conversion<T> conversion{name, Operand::motors, Operand::poses, {}, draw_any_motor<T>, {}};
     conversion.run = [places](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::motor_to_pose(quaternions<typename ConvertApi<T>::Xyzw>(out, places),
-                                            vectors<typename Api<T>::Xyz>(out, 4), in.const_motors(), count);
+        return api<T>::convert_motor_to_pose_each(quaternions<typename api<T>::xyzw>(out, places),
+                                            vectors<typename api<T>::xyz>(out, 4), in.const_motors(), count);
     };
     // The quaternion has length 1.
     conversion.expect = [places](const T *motor) {
@@ -156,9 +156,9 @@ Conversion<T> pose_to_motor(const char *name, const std::array<std::size_t, 4> &
 {
     Conversion<T> conversion{name, Operand::poses, Operand::motors, {}, {}, {}};
     conversion.run = [places](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::pose_to_motor(out.motors(),
-                                            quaternions<typename ConvertApi<T>::ConstXyzw>(in, places),
-                                            vectors<typename Api<T>::ConstXyz>(in, 4), count);
+        return api<T>::convert_pose_to_motor_each(out.motors(),
+                                            quaternions<typename api<T>::const_xyzw>(in, places),
+                                            vectors<typename api<T>::const_xyz>(in, 4), count);
     };
     conversion.draw = [](Random &random, T *in) {
         T motor[8];
@@ -197,8 +197,8 @@ Conversion<T> motor_to_dual_quaternion(const char *name, const std::array<std::s
 {
     Conversion<T> conversion{name, Operand::motors, dual_operand(places), {}, draw_any_motor<T>, {}};
     conversion.run = [places](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::motor_to_dual_quaternion(
-            dual_quaternions<typename ConvertApi<T>::DualQuaternions>(out, places), in.const_motors(), count);
+        return api<T>::convert_motor_to_dual_quaternion_each(
+            dual_quaternions<typename api<T>::dual_quaternions>(out, places), in.const_motors(), count);
     };
     conversion.expect = [places](const T *motor) {
         std::vector<reference::Real> value(8);
@@ -214,8 +214,8 @@ Conversion<T> dual_quaternion_to_motor(const char *name, const std::array<std::s
 {
     Conversion<T> conversion{name, dual_operand(places), Operand::motors, {}, draw_any_motor<T>, {}};
     conversion.run = [places](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::dual_quaternion_to_motor(
-            out.motors(), dual_quaternions<typename ConvertApi<T>::ConstDualQuaternions>(in, places), count);
+        return api<T>::convert_dual_quaternion_to_motor_each(
+            out.motors(), dual_quaternions<typename api<T>::const_dual_quaternions>(in, places), count);
     };
     conversion.expect = [places](const T *in) {
         std::vector<reference::Real> value;
@@ -256,7 +256,7 @@ Conversion<T> motor_to_matrix(const char *name, mw_matrix_layout layout)
 {
     Conversion<T> conversion{name, Operand::motors, matrices_of(layout), {}, draw_any_motor<T>, {}};
     conversion.run = [layout](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::motor_to_matrix({out.component[0], out.stride, layout}, in.const_motors(), count);
+        return api<T>::convert_motor_to_matrix_each({out.component[0], out.stride, layout}, in.const_motors(), count);
     };
     // The elements are 1 or 0 and the rounded product of 2/α with a sum of two products, no more than 2. The last row
     // is exact.
@@ -303,7 +303,7 @@ Conversion<T> matrix_to_motor(const char *name, mw_matrix_layout layout)
 {
     Conversion<T> conversion{name, matrices_of(layout), Operand::motors, {}, {}, {}};
     conversion.run = [layout](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::matrix_to_motor(out.motors(), {in.component[0], in.stride, layout}, count,
+        return api<T>::convert_matrix_to_motor_each(out.motors(), {in.component[0], in.stride, layout}, count,
                                               MW_ROTATION_MATRICES, nullptr);
     };
     conversion.draw = [layout](Random &random, T *matrix) {
@@ -337,8 +337,8 @@ Conversion<T> motor_to_axis_angle()
 {
     Conversion<T> conversion{"motor_to_axis_angle", Operand::motors, Operand::poses, {}, draw_any_motor<T>, {}};
     conversion.run = [](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::motor_to_axis_angle(quaternions<typename ConvertApi<T>::Xyzw>(out, x_first),
-                                                  vectors<typename Api<T>::Xyz>(out, 4), in.const_motors(), count);
+        return api<T>::convert_motor_to_axis_angle_each(quaternions<typename api<T>::xyzw>(out, x_first),
+                                                  vectors<typename api<T>::xyz>(out, 4), in.const_motors(), count);
     };
     conversion.expect = [](const T *motor) {
         using reference::Real;
@@ -363,9 +363,9 @@ Conversion<T> axis_angle_to_motor()
 {
     Conversion<T> conversion{"axis_angle_to_motor", Operand::poses, Operand::motors, {}, {}, {}};
     conversion.run = [](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::axis_angle_to_motor(out.motors(),
-                                                  quaternions<typename ConvertApi<T>::ConstXyzw>(in, x_first),
-                                                  vectors<typename Api<T>::ConstXyz>(in, 4), count);
+        return api<T>::convert_axis_angle_to_motor_each(out.motors(),
+                                                  quaternions<typename api<T>::const_xyzw>(in, x_first),
+                                                  vectors<typename api<T>::const_xyz>(in, 4), count);
     };
     conversion.draw = [](Random &random, T *in) {
         round_to(draw_axis(random), in);
@@ -399,8 +399,8 @@ Conversion<T> euler_to_motor(mw_euler_order order)
     Conversion<T> conversion{std::string("euler_to_motor ") + names_of_orders[order], Operand::vertices,
                              Operand::motors, {}, {}, {}};
     conversion.run = [order](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::euler_to_motor(out.motors(), vectors<typename Api<T>::ConstXyz>(in, 0),
-                                             vectors<typename Api<T>::ConstXyz>(in, 3), count, order);
+        return api<T>::convert_euler_to_motor_each(out.motors(), vectors<typename api<T>::const_xyz>(in, 0),
+                                             vectors<typename api<T>::const_xyz>(in, 3), count, order);
     };
     conversion.draw = [](Random &random, T *in) {
         for (std::size_t k = 0; k < 3; ++k)
@@ -440,8 +440,8 @@ Conversion<T> motor_to_euler(mw_euler_order order)
     Conversion<T> conversion{std::string("motor_to_euler ") + names_of_orders[order], Operand::motors,
                              Operand::vertices, {}, {}, {}};
     conversion.run = [order](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::motor_to_euler(vectors<typename Api<T>::Xyz>(out, 0),
-                                             vectors<typename Api<T>::Xyz>(out, 3), in.const_motors(), count, order);
+        return api<T>::convert_motor_to_euler_each(vectors<typename api<T>::xyz>(out, 0),
+                                             vectors<typename api<T>::xyz>(out, 3), in.const_motors(), count, order);
     };
     conversion.draw = [order, is_proper](Random &random, T *motor) {
         const long double centre = is_proper ? pi / 2 : 0;
@@ -467,7 +467,7 @@ Conversion<T> translation_to_motor()
 {
     Conversion<T> conversion{"translation_to_motor", Operand::xyz, Operand::motors, {}, draw_vector<T>, {}};
     conversion.run = [](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::translation_to_motor(out.motors(), in.const_xyz(), count);
+        return api<T>::convert_translation_to_motor_each(out.motors(), in.const_xyz(), count);
     };
     // Half of a subnormal number is rounded.
     conversion.expect = [](const T *in) {
@@ -481,7 +481,7 @@ Conversion<T> motor_to_translation()
 {
     Conversion<T> conversion{"motor_to_translation", Operand::motors, Operand::xyz, {}, draw_any_motor<T>, {}};
     conversion.run = [](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::motor_to_translation(out.xyz(), in.const_motors(), count);
+        return api<T>::convert_motor_to_translation_each(out.xyz(), in.const_motors(), count);
     };
     conversion.expect = [](const T *motor) { return expect_each({expect_translation(motor)}); };
     return conversion;
@@ -522,7 +522,7 @@ Conversion<T> motor_to_screw()
     Conversion<T> conversion{"motor_to_screw", Operand::motors, Operand::motors, {}, draw_unit_motor<T>,
                              expect_screw<T>};
     conversion.run = [](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::motor_to_screw(screws<typename ConvertApi<T>::Screws>(out), in.const_motors(), count);
+        return api<T>::convert_motor_to_screw_each(screws<typename api<T>::screws>(out), in.const_motors(), count);
     };
     return conversion;
 }
@@ -532,7 +532,7 @@ Conversion<T> screw_to_motor()
 {
     Conversion<T> conversion{"screw_to_motor", Operand::motors, Operand::motors, {}, {}, {}};
     conversion.run = [](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::screw_to_motor(out.motors(), screws<typename ConvertApi<T>::ConstScrews>(in), count);
+        return api<T>::convert_screw_to_motor_each(out.motors(), screws<typename api<T>::const_screws>(in), count);
     };
     conversion.draw = [](Random &random, T *in) {
         const Screw screw = draw_screw(random, 0);
@@ -579,7 +579,7 @@ Conversion<T> motor_to_rotor(T lambda)
     Conversion<T> conversion{"motor_to_rotor in units of " + std::to_string(lambda), Operand::motors,
                              Operand::motors, {}, draw_any_motor<T>, {}};
     conversion.run = [lambda](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::motor_to_rotor(out.motors(), in.const_motors(), count, lambda);
+        return api<T>::convert_motor_to_rotor_each(out.motors(), in.const_motors(), count, lambda);
     };
     conversion.expect = [lambda](const T *motor) {
         return expect_reversed(motor, reference::Real(1) / reference::Real(lambda));
@@ -593,7 +593,7 @@ Conversion<T> rotor_to_motor(T lambda)
     Conversion<T> conversion{"rotor_to_motor in units of " + std::to_string(lambda), Operand::motors,
                              Operand::motors, {}, draw_any_motor<T>, {}};
     conversion.run = [lambda](const View<T> &out, const View<T> &in, std::size_t count) {
-        return ConvertApi<T>::rotor_to_motor(out.motors(), in.const_motors(), count, lambda);
+        return api<T>::convert_rotor_to_motor_each(out.motors(), in.const_motors(), count, lambda);
     };
     conversion.expect = [lambda](const T *rotor) { return expect_reversed(rotor, reference::Real(lambda)); };
     return conversion;

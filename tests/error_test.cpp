@@ -84,7 +84,7 @@ public:
     {
         const std::vector<unsigned char> before = memory_;
         const mw_status got = run(elements);
-        const std::string name = subject_.name() + " " + Api<T>::name + ", " + what;
+        const std::string name = subject_.name() + " " + api<T>::name + ", " + what;
         EXPECT_EQ(got, status) << name << ": " << mw_status_text(got);
         EXPECT_TRUE(memory_ == before) << name << ": bytes changed";
     }
@@ -95,7 +95,7 @@ public:
         if (subject_.keeps_apart() || lies_over_another_element(out(), input(k), scalar(k), count))
             return expect(MW_ERROR_OVERLAP, what);
         const std::vector<unsigned char> before = memory_;
-        EXPECT_EQ(run(), MW_OK) << subject_.name() << " " << Api<T>::name << ", " << what;
+        EXPECT_EQ(run(), MW_OK) << subject_.name() << " " << api<T>::name << ", " << what;
         memory_ = before;
     }
 
@@ -325,10 +325,10 @@ TYPED_TEST(ErrorTest, an_output_that_touches_an_input_is_no_overlap)
 TYPED_TEST(ErrorTest, a_count_of_0_takes_null_pointers)
 {
     using T = TypeParam;
-    using A = Api<T>;
-    const typename A::Motors no_motors = A::motors_aos(nullptr, 0);
-    const typename A::ConstMotors no_const_motors = A::const_motors_aos(nullptr, 0);
-    const typename A::Weights no_weights = {nullptr, 0};
+    using A = api<T>;
+    const typename A::motors no_motors = A::motors_aos(nullptr, 0);
+    const typename A::const_motors no_const_motors = A::const_motors_aos(nullptr, 0);
+    const typename A::weights no_weights = {nullptr, 0};
     EXPECT_EQ(A::compose_motor_each(no_motors, no_const_motors, no_const_motors, 0), MW_OK);
     EXPECT_EQ(A::reverse_motor_each(no_motors, no_const_motors, 0), MW_OK);
     EXPECT_EQ(A::normalize_motor_each(no_motors, no_const_motors, 0), MW_OK);
@@ -340,12 +340,12 @@ TYPED_TEST(ErrorTest, a_count_of_0_takes_null_pointers)
 TYPED_TEST(ErrorTest, an_axis_of_length_zero_or_not_finite)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     using Limits = std::numeric_limits<T>;
     const T nan = Limits::quiet_NaN(), infinity = Limits::infinity();
     const T good[3] = {0, 0, 1};
     const auto expect_error = [](mw_status status, const T *axis, T angle, const T *point) {
-        typename A::Motor motor{7, 7, 7, 7, 7, 7, 7, 7};
+        typename A::motor motor{7, 7, 7, 7, 7, 7, 7, 7};
         EXPECT_EQ(A::rotation(&motor, axis, angle, point), status);
         for (std::size_t c = 0; c < 8; ++c)
             EXPECT_EQ((&motor.s)[c], T(7));
@@ -362,7 +362,7 @@ TYPED_TEST(ErrorTest, an_axis_of_length_zero_or_not_finite)
         }
     expect_error(MW_ERROR_NULL, nullptr, 1, good);
     EXPECT_EQ(A::rotation(nullptr, good, T(1), nullptr), MW_ERROR_NULL);
-    typename A::Motor motor;
+    typename A::motor motor;
     EXPECT_EQ(A::translation(nullptr, good), MW_ERROR_NULL);
     EXPECT_EQ(A::translation(&motor, nullptr), MW_ERROR_NULL);
 }
@@ -370,8 +370,8 @@ TYPED_TEST(ErrorTest, an_axis_of_length_zero_or_not_finite)
 TYPED_TEST(ErrorTest, checking_motors_in_a_view_that_is_wrong)
 {
     using T = TypeParam;
-    using A = Api<T>;
-    const typename A::Motor motors[2] = {{1, 0, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 0, 0, 0, 0}};
+    using A = api<T>;
+    const typename A::motor motors[2] = {{1, 0, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 0, 0, 0, 0}};
     const std::size_t size = sizeof motors[0], most = std::numeric_limits<std::size_t>::max();
     EXPECT_EQ(A::check_motors(A::const_motors_aos(nullptr, size), 2, nullptr), MW_ERROR_NULL);
     EXPECT_EQ(A::check_motors(A::const_motors_aos(motors, size - 1), 2, nullptr), MW_ERROR_STRIDE);
@@ -382,23 +382,23 @@ TYPED_TEST(ErrorTest, checking_motors_in_a_view_that_is_wrong)
 // Both blends of two terms, one element, everything in arrays of scalars.
 template <class T>
 struct Blend {
-    using A = Api<T>;
+    using A = api<T>;
     T controls[16] = {1, 0, 0, 0, 5, 6, 7, 8, 1, 0, 0, 0, 1, 2, 3, 4};
     T weights[2] = {1, 1};
     T out[8] = {7, 7, 7, 7, 7, 7, 7, 7};
     const T *terms[2] = {&weights[0], &weights[1]};
-    const typename A::Motor *control(std::size_t k) const
+    const typename A::motor *control(std::size_t k) const
     {
-        return reinterpret_cast<const typename A::Motor *>(controls + 8 * k);
+        return reinterpret_cast<const typename A::motor *>(controls + 8 * k);
     }
-    typename A::ConstMotors views[2] = {A::const_motors_aos(control(0), sizeof(T[8])),
+    typename A::const_motors views[2] = {A::const_motors_aos(control(0), sizeof(T[8])),
                                         A::const_motors_aos(control(1), sizeof(T[8]))};
 
-    void expect(mw_status status, const typename A::Motor *one, const typename A::ConstMotors *each,
+    void expect(mw_status status, const typename A::motor *one, const typename A::const_motors *each,
                 const T *const *term_pointers, std::size_t term_count = 2)
     {
-        const typename A::Weights view = {term_pointers, sizeof(T)};
-        const auto to = A::motors_aos(reinterpret_cast<typename A::Motor *>(out), sizeof out);
+        const typename A::weights view = {term_pointers, sizeof(T)};
+        const auto to = A::motors_aos(reinterpret_cast<typename A::motor *>(out), sizeof out);
         EXPECT_EQ(A::blend_motor_one(to, one, view, term_count, 1), status);
         EXPECT_EQ(A::blend_motor_each(to, each, view, term_count, 1), status);
         for (T number : out)
@@ -418,23 +418,23 @@ TYPED_TEST(ErrorTest, a_blend_without_its_controls_or_weights)
         blend.expect(MW_ERROR_NULL, blend.control(0), blend.views, terms);
     }
     // Without terms nothing of the kind is needed.
-    typename Api<T>::Motor sum{7, 7, 7, 7, 7, 7, 7, 7};
-    const auto out = Api<T>::motors_aos(&sum, sizeof sum);
-    EXPECT_EQ(Api<T>::blend_motor_one(out, nullptr, {nullptr, 0}, 0, 1), MW_OK);
+    typename api<T>::motor sum{7, 7, 7, 7, 7, 7, 7, 7};
+    const auto out = api<T>::motors_aos(&sum, sizeof sum);
+    EXPECT_EQ(api<T>::blend_motor_one(out, nullptr, {nullptr, 0}, 0, 1), MW_OK);
     EXPECT_EQ(sum.s, T(0));
     sum.s = 7;
-    EXPECT_EQ(Api<T>::blend_motor_each(out, nullptr, {nullptr, 0}, 0, 1), MW_OK);
+    EXPECT_EQ(api<T>::blend_motor_each(out, nullptr, {nullptr, 0}, 0, 1), MW_OK);
     EXPECT_EQ(sum.s, T(0));
 }
 
 TYPED_TEST(ErrorTest, an_output_over_the_controls_of_a_blend)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     Blend<T> blend;
     const Blend<T> before = blend;
     for (std::size_t at : {0, 1, 7, 8}) {
-        const auto out = A::motors_aos(reinterpret_cast<typename A::Motor *>(blend.controls + at), sizeof(T[8]));
+        const auto out = A::motors_aos(reinterpret_cast<typename A::motor *>(blend.controls + at), sizeof(T[8]));
         EXPECT_EQ(A::blend_motor_one(out, blend.control(0), {blend.terms, sizeof(T)}, 2, 1), MW_ERROR_OVERLAP);
         EXPECT_EQ(std::memcmp(blend.controls, before.controls, sizeof blend.controls), 0);
     }
@@ -443,9 +443,9 @@ TYPED_TEST(ErrorTest, an_output_over_the_controls_of_a_blend)
 TYPED_TEST(ErrorTest, more_controls_than_the_address_space_holds)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     Blend<T> blend;
-    const auto out = A::motors_aos(reinterpret_cast<typename A::Motor *>(blend.out), sizeof blend.out);
+    const auto out = A::motors_aos(reinterpret_cast<typename A::motor *>(blend.out), sizeof blend.out);
     const std::size_t most = std::numeric_limits<std::size_t>::max();
     for (std::size_t terms : {most, most / sizeof(T[8]) + 2, most / 4})
         EXPECT_EQ(A::blend_motor_one(out, blend.control(0), {blend.terms, sizeof(T)}, terms, 1), MW_ERROR_SIZE);
@@ -454,11 +454,11 @@ TYPED_TEST(ErrorTest, more_controls_than_the_address_space_holds)
 TYPED_TEST(ErrorTest, more_separate_controls_than_a_blend_takes)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     Blend<T> blend;
     std::vector<const T *> terms(MW_MAX_TERMS + 1, &blend.weights[0]);
-    std::vector<typename A::ConstMotors> controls(terms.size(), blend.views[0]);
-    const auto out = A::motors_aos(reinterpret_cast<typename A::Motor *>(blend.out), sizeof blend.out);
+    std::vector<typename A::const_motors> controls(terms.size(), blend.views[0]);
+    const auto out = A::motors_aos(reinterpret_cast<typename A::motor *>(blend.out), sizeof blend.out);
     for (std::size_t count : {std::size_t(MW_MAX_TERMS) + 1, std::numeric_limits<std::size_t>::max()})
         EXPECT_EQ(A::blend_motor_each(out, controls.data(), {terms.data(), sizeof(T)}, count, 1),
                   MW_ERROR_TERM_COUNT);
@@ -468,7 +468,7 @@ TYPED_TEST(ErrorTest, more_separate_controls_than_a_blend_takes)
     EXPECT_EQ(A::blend_motor_each(out, controls.data(), {terms.data(), sizeof(T)}, MW_MAX_TERMS, 1), MW_OK);
     EXPECT_EQ(blend.out[0], T(MW_MAX_TERMS));
     std::vector<T> many(8 * terms.size(), T(1));
-    EXPECT_EQ(A::blend_motor_one(out, reinterpret_cast<const typename A::Motor *>(many.data()),
+    EXPECT_EQ(A::blend_motor_one(out, reinterpret_cast<const typename A::motor *>(many.data()),
                                  {terms.data(), sizeof(T)}, terms.size(), 1),
               MW_OK);
     EXPECT_EQ(blend.out[0], T(MW_MAX_TERMS + 1));

@@ -28,7 +28,7 @@ public:
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
-        return Api<T>::exp_motor_each(out.motors(), inputs[0].const_bivectors(), count);
+        return api<T>::exp_motor_each(out.motors(), inputs[0].const_bivectors(), count);
     }
 
     void draw(Random &random, T *const *inputs) const override
@@ -69,7 +69,7 @@ public:
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
         const unsigned flags = given_ == Given::unit ? MW_UNIT_MOTORS : MW_DEFAULT;
-        const auto function = is_principal() ? Api<T>::log_principal_motor_each : Api<T>::log_motor_each;
+        const auto function = is_principal() ? api<T>::log_principal_motor_each : api<T>::log_motor_each;
         return function(out.bivectors(), inputs[0].const_motors(), count, flags);
     }
 

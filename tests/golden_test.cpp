@@ -160,9 +160,9 @@ const std::vector<Golden> &golden_of(Moved moved, bool mixed)
 }
 
 template <class T>
-const typename Api<T>::Motor *motor_at(const T *components)
+const typename api<T>::motor *motor_at(const T *components)
 {
-    return reinterpret_cast<const typename Api<T>::Motor *>(components);
+    return reinterpret_cast<const typename api<T>::motor *>(components);
 }
 
 template <class T>
@@ -261,7 +261,7 @@ TYPED_TEST(GoldenTest, compose_motor)
     using T = TypeParam;
     this->on_every_isa([] {
         expect_golden<T>(golden_compose_motor, [](std::vector<T> &in, Result<T> &out) {
-            return Api<T>::compose_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
+            return api<T>::compose_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
                                               view_at(&in[8], 8).const_motors(), 1);
         });
     });
@@ -272,11 +272,11 @@ TYPED_TEST(GoldenTest, compose_motor_with_one_factor_fixed)
     using T = TypeParam;
     this->on_every_isa([] {
         expect_golden<T>(golden_compose_motor, [](std::vector<T> &in, Result<T> &out) {
-            return Api<T>::compose_motor_one_first(view_at(out.data(), 8).motors(), motor_at(in.data()),
+            return api<T>::compose_motor_one_first(view_at(out.data(), 8).motors(), motor_at(in.data()),
                                                    view_at(&in[8], 8).const_motors(), 1);
         });
         expect_golden<T>(golden_compose_motor, [](std::vector<T> &in, Result<T> &out) {
-            return Api<T>::compose_motor_one_then(view_at(out.data(), 8).motors(),
+            return api<T>::compose_motor_one_then(view_at(out.data(), 8).motors(),
                                                   view_at(in.data(), 8).const_motors(), motor_at(&in[8]), 1);
         });
     });
@@ -287,7 +287,7 @@ TYPED_TEST(GoldenTest, inverse_motor)
     using T = TypeParam;
     this->on_every_isa([] {
         expect_golden<T>(golden_inverse_motor, [](std::vector<T> &in, Result<T> &out) {
-            return Api<T>::inverse_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
+            return api<T>::inverse_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
                                               1);
         });
     });
@@ -300,7 +300,7 @@ TYPED_TEST(GoldenTest, ratio_motor)
         expect_golden<T>(
             golden_ratio_motor,
             [](std::vector<T> &in, Result<T> &out) {
-                return Api<T>::ratio_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
+                return api<T>::ratio_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
                                                 view_at(&in[8], 8).const_motors(), 1, MW_DEFAULT);
             },
             3);
@@ -380,7 +380,7 @@ TYPED_TEST(GoldenTest, reverse_motor)
     using T = TypeParam;
     this->on_every_isa([] {
         expect_golden<T>(golden_reverse_motor, [](std::vector<T> &in, Result<T> &out) {
-            return Api<T>::reverse_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
+            return api<T>::reverse_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
                                               1);
         });
     });
@@ -391,7 +391,7 @@ TYPED_TEST(GoldenTest, normalize_motor)
     using T = TypeParam;
     this->on_every_isa([] {
         expect_golden<T>(golden_normalize_motor, [](std::vector<T> &in, Result<T> &out) {
-            return Api<T>::normalize_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
+            return api<T>::normalize_motor_each(view_at(out.data(), 8).motors(), view_at(in.data(), 8).const_motors(),
                                                 1);
         });
     });
@@ -405,14 +405,14 @@ TYPED_TEST(GoldenTest, blend_motor)
             T weights[2] = {1, in[8]}, controls[16];
             std::copy_n(in.begin(), 8, controls);
             std::copy_n(in.begin() + 9, 8, controls + 8);
-            return Api<T>::blend_motor_one(view_at(out.data(), 8).motors(), motor_at(controls),
+            return api<T>::blend_motor_one(view_at(out.data(), 8).motors(), motor_at(controls),
                                            view_at(weights, 2).weights(), 2, 1);
         });
         expect_golden<T>(golden_blend_motor, [](std::vector<T> &in, Result<T> &out) {
             T weights[2] = {1, in[8]};
-            const typename Api<T>::ConstMotors controls[] = {view_at(in.data(), 8).const_motors(),
+            const typename api<T>::const_motors controls[] = {view_at(in.data(), 8).const_motors(),
                                                              view_at(&in[9], 8).const_motors()};
-            return Api<T>::blend_motor_each(view_at(out.data(), 8).motors(), controls,
+            return api<T>::blend_motor_each(view_at(out.data(), 8).motors(), controls,
                                             view_at(weights, 2).weights(), 2, 1);
         });
     });

@@ -18,7 +18,7 @@ constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
 template <class T>
 class GroupErrorTest : public ::testing::Test {
 protected:
-    using Motor = typename Api<T>::Motor;
+    using Motor = typename api<T>::motor;
     static constexpr std::size_t motor_count = 6;
 
     GroupErrorTest() : numbers_(8 * 3 * motor_count + 64, T(1)) {}
@@ -48,7 +48,7 @@ TYPED_TEST_SUITE(GroupErrorTest, Precisions, PrecisionName);
 
 TYPED_TEST(GroupErrorTest, flags_that_logarithms_do_not_know)
 {
-    using A = Api<TypeParam>;
+    using A = api<TypeParam>;
     for (const auto function : {A::log_motor_each, A::log_principal_motor_each}) {
         const auto run = [&](unsigned flags, std::size_t count) {
             return function(packed_view(this->out(), 6).bivectors(), this->const_motors(this->first()), count, flags);
@@ -63,7 +63,7 @@ TYPED_TEST(GroupErrorTest, flags_that_logarithms_do_not_know)
 
 TYPED_TEST(GroupErrorTest, flags_that_interpolation_does_not_know)
 {
-    using A = Api<TypeParam>;
+    using A = api<TypeParam>;
     const auto out = this->motors(this->out());
     const auto in = this->const_motors(this->first()), then = this->const_motors(this->second());
     const auto *const a = this->motor(this->first()), *const b = this->motor(this->second());
@@ -87,7 +87,7 @@ TYPED_TEST(GroupErrorTest, flags_that_interpolation_does_not_know)
 
 TYPED_TEST(GroupErrorTest, flags_that_ratios_do_not_know)
 {
-    using A = Api<TypeParam>;
+    using A = api<TypeParam>;
     const auto run = [&](unsigned flags) {
         return A::ratio_motor_each(this->motors(this->out()), this->const_motors(this->first()),
                                    this->const_motors(this->second()), this->motor_count, flags);
@@ -101,7 +101,7 @@ TYPED_TEST(GroupErrorTest, flags_that_ratios_do_not_know)
 
 TYPED_TEST(GroupErrorTest, no_fixed_motor)
 {
-    using A = Api<TypeParam>;
+    using A = api<TypeParam>;
     const auto out = this->motors(this->out());
     const auto in = this->const_motors(this->first());
     const auto *const motor = this->motor(this->second());
@@ -124,7 +124,7 @@ TYPED_TEST(GroupErrorTest, no_fixed_motor)
 TYPED_TEST(GroupErrorTest, an_output_over_a_fixed_motor)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     const std::size_t count = this->motor_count, stride = sizeof(T);
     const auto in = this->const_motors(this->first());
     T *const out = this->out();
@@ -152,7 +152,7 @@ TYPED_TEST(GroupErrorTest, an_output_over_a_fixed_motor)
 TYPED_TEST(GroupErrorTest, one_number_for_all_that_is_wrong)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     const std::size_t count = this->motor_count;
     T *const out = this->out();
     const auto to = this->motors(out);
@@ -181,7 +181,7 @@ TYPED_TEST(GroupErrorTest, one_number_for_all_that_is_wrong)
 TYPED_TEST(GroupErrorTest, a_count_of_0_takes_null_pointers)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     const auto out = A::motors_aos(nullptr, 0);
     const auto in = A::const_motors_aos(nullptr, 0);
     EXPECT_EQ(A::compose_motor_one_first(out, nullptr, in, 0), MW_OK);
@@ -206,9 +206,9 @@ TYPED_TEST(GroupErrorTest, a_count_of_0_takes_null_pointers)
 // Two instances of three joints, side by side: six motors.
 template <class T>
 struct Hierarchy {
-    using A = Api<T>;
-    typename A::Motors out;
-    typename A::ConstMotors locals;
+    using A = api<T>;
+    typename A::motors out;
+    typename A::const_motors locals;
     std::size_t joint_stride = 2 * sizeof(T[8]), joints = 3, instances = 2;
     std::int32_t parent[3] = {-1, 0, 1};
     const std::int32_t *parents = parent;
@@ -231,7 +231,7 @@ TYPED_TEST(GroupErrorTest, a_parent_that_does_not_come_before_its_joint)
             this->expect(MW_ERROR_PARENT, [&] { return hierarchy.run(); });
             EXPECT_EQ(hierarchy.bad, joint);
             this->expect(MW_ERROR_PARENT, [&] {
-                return Api<T>::compose_motor_hierarchy(hierarchy.out, hierarchy.locals, hierarchy.joint_stride,
+                return api<T>::compose_motor_hierarchy(hierarchy.out, hierarchy.locals, hierarchy.joint_stride,
                                                        hierarchy.parents, 3, 2, nullptr);
             });
         }
@@ -249,12 +249,12 @@ TYPED_TEST(GroupErrorTest, null_pointers_in_a_hierarchy)
 {
     using T = TypeParam;
     const Hierarchy<T> sound{this->motors(this->out()), this->const_motors(this->first())};
-    for (auto component : {&Api<T>::Motors::s, &Api<T>::Motors::b23, &Api<T>::Motors::w}) {
+    for (auto component : {&api<T>::motors::s, &api<T>::motors::b23, &api<T>::motors::w}) {
         Hierarchy<T> spoilt = sound;
         spoilt.out.*component = nullptr;
         this->expect(MW_ERROR_NULL, [&] { return spoilt.run(); });
     }
-    for (auto component : {&Api<T>::ConstMotors::s, &Api<T>::ConstMotors::b1i, &Api<T>::ConstMotors::w}) {
+    for (auto component : {&api<T>::const_motors::s, &api<T>::const_motors::b1i, &api<T>::const_motors::w}) {
         Hierarchy<T> spoilt = sound;
         spoilt.locals.*component = nullptr;
         this->expect(MW_ERROR_NULL, [&] { return spoilt.run(); });

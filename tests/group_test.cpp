@@ -21,16 +21,16 @@ namespace {
 template <class T>
 class GroupTest : public ::testing::Test {
 protected:
-    using A = Api<T>;
+    using A = api<T>;
     using Numbers = std::vector<T>;  // eight a motor, six a bivector
 
     static auto out_motors(Numbers &n) { return packed_view(n.data(), 8).motors(); }
     static auto in_motors(const Numbers &n) { return packed_view(const_cast<T *>(n.data()), 8).const_motors(); }
     static auto out_bivectors(Numbers &n) { return packed_view(n.data(), 6).bivectors(); }
     static auto in_bivectors(const Numbers &n) { return packed_view(const_cast<T *>(n.data()), 6).const_bivectors(); }
-    static const typename A::Motor *motor(const Numbers &n)
+    static const typename A::motor *motor(const Numbers &n)
     {
-        return reinterpret_cast<const typename A::Motor *>(n.data());
+        return reinterpret_cast<const typename A::motor *>(n.data());
     }
 
     static Numbers exp(const Numbers &bivectors)
@@ -654,15 +654,15 @@ TYPED_TEST(GroupTest, a_stride_of_0_is_one_number_for_all)
                 EXPECT_EQ(std::memcmp(many.data(), once.data(), many.size() * sizeof(T)), 0) << count;
             };
             expect_same([&](auto out, const T *number, std::size_t stride) {
-                return Api<T>::power_motor_each(out, Group::in_motors(first), number, stride, count);
+                return api<T>::power_motor_each(out, Group::in_motors(first), number, stride, count);
             });
             for (unsigned flags : {MW_DEFAULT, MW_LONG_WAY}) {
-                for (const auto interpolate : {Api<T>::slerp_motor_each, Api<T>::nlerp_motor_each})
+                for (const auto interpolate : {api<T>::slerp_motor_each, api<T>::nlerp_motor_each})
                     expect_same([&](auto out, const T *number, std::size_t stride) {
                         return interpolate(out, Group::in_motors(first), Group::in_motors(second), number, stride,
                                            count, flags);
                     });
-                for (const auto interpolate : {Api<T>::slerp_motor_one, Api<T>::nlerp_motor_one})
+                for (const auto interpolate : {api<T>::slerp_motor_one, api<T>::nlerp_motor_one})
                     expect_same([&](auto out, const T *number, std::size_t stride) {
                         return interpolate(out, Group::motor(first), Group::motor(second), number, stride, count,
                                            flags);
@@ -684,11 +684,11 @@ TYPED_TEST(GroupTest, slerp_between_two_fixed_motors_is_that_of_each)
             parameters.push_back(static_cast<T>(random.uniform(0, 1)));
         const auto firsts = Group::repeated(first), seconds = Group::repeated(second);
         typename Group::Numbers each(firsts.size()), fixed(firsts.size());
-        ASSERT_EQ(Api<T>::slerp_motor_each(Group::out_motors(each), Group::in_motors(firsts),
+        ASSERT_EQ(api<T>::slerp_motor_each(Group::out_motors(each), Group::in_motors(firsts),
                                            Group::in_motors(seconds), parameters.data(), sizeof(T),
                                            parameters.size(), MW_DEFAULT),
                   MW_OK);
-        ASSERT_EQ(Api<T>::slerp_motor_one(Group::out_motors(fixed), Group::motor(first), Group::motor(second),
+        ASSERT_EQ(api<T>::slerp_motor_one(Group::out_motors(fixed), Group::motor(first), Group::motor(second),
                                           parameters.data(), sizeof(T), parameters.size(), MW_DEFAULT),
                   MW_OK);
         const auto larger = [&](const T *) { return std::max(length_of(first, 4, 8), length_of(second, 4, 8)); };
@@ -767,7 +767,7 @@ TYPED_TEST(GroupTest, a_degenerate_motor_has_no_logarithm_or_inverse_and_is_repo
     this->on_every_isa([] {
         const auto zeros = Group::repeated({0, 0, 0, 0, 1, 2, 3, 4});
         std::size_t bad = 7;
-        EXPECT_EQ(Api<TypeParam>::check_motors(Group::in_motors(zeros), 24, &bad), MW_ERROR_DEGENERATE_MOTOR);
+        EXPECT_EQ(api<TypeParam>::check_motors(Group::in_motors(zeros), 24, &bad), MW_ERROR_DEGENERATE_MOTOR);
         EXPECT_EQ(bad, 0u);
         for (const auto &result : {Group::inverse(zeros), Group::log(zeros, reference::Branch::shortest, MW_DEFAULT),
                                    Group::log(zeros, reference::Branch::principal, MW_DEFAULT)})
@@ -798,7 +798,7 @@ TYPED_TEST(GroupTest, a_million_products_with_renormalisation_every_64_stay_rigi
         product = Group::compose(product, factor);
         if (n % 64 != 63 && n + 1 != length)
             continue;
-        ASSERT_EQ(Api<T>::normalize_motor_each(Group::out_motors(product), Group::in_motors(product), lanes), MW_OK);
+        ASSERT_EQ(api<T>::normalize_motor_each(Group::out_motors(product), Group::in_motors(product), lanes), MW_OK);
         for (std::size_t i = 0; i < lanes; ++i) {
             const long double size = length_of(&product[8 * i], 0, 4);
             worst = std::max(worst, std::abs(size * size - 1));

@@ -98,7 +98,7 @@ std::vector<T> plain_loop(const std::vector<T> &locals, const std::vector<std::i
             if (parents[joint] >= 0) {
                 T *const parent = motor(static_cast<std::size_t>(parents[joint]), i);
                 const View<T> pose = packed_view(motor(joint, i), 8);
-                EXPECT_EQ(Api<T>::compose_motor_each(pose.motors(), pose.const_motors(),
+                EXPECT_EQ(api<T>::compose_motor_each(pose.motors(), pose.const_motors(),
                                                      packed_view(parent, 8).const_motors(), 1),
                           MW_OK);
             }
@@ -128,7 +128,7 @@ void expect_plain_loop(Random &random, std::size_t joints, std::size_t count)
                 expected.set(joint, i, &poses[8 * (joint * count + i)]);
             }
         const auto run = [&](Skeletons<T> &to, Skeletons<T> &from) {
-            return Api<T>::compose_motor_hierarchy(to.view().motors(), from.view().const_motors(),
+            return api<T>::compose_motor_hierarchy(to.view().motors(), from.view().const_motors(),
                                                    arrangement.joint_stride, parents.data(), joints, count, nullptr);
         };
         ASSERT_EQ(run(out, given), MW_OK);
@@ -176,7 +176,7 @@ void expect_fields(std::size_t size, std::size_t first, bool backwards, std::siz
         local.stride = world.stride = stride;
         if (backwards)
             std::reverse(world.component.begin(), world.component.end());
-        ASSERT_EQ(Api<T>::compose_motor_hierarchy(world.motors(), local.const_motors(), joint_stride, parents.data(),
+        ASSERT_EQ(api<T>::compose_motor_hierarchy(world.motors(), local.const_motors(), joint_stride, parents.data(),
                                                   joints, count, nullptr),
                   MW_OK)
             << size << " " << first;
@@ -207,27 +207,27 @@ TYPED_TEST(HierarchyTest, local_and_world_motors_are_fields_of_joints)
 TYPED_TEST(HierarchyTest, a_parent_moves_its_children)
 {
     using T = TypeParam;
-    using Motor = typename Api<T>::Motor;
+    using Motor = typename api<T>::motor;
     const T axis[3] = {0, 0, 1}, offset[3] = {1, 0, 0}, origin[3] = {0, 0, 0};
     Motor turn, step, local;
-    ASSERT_EQ(Api<T>::rotation(&turn, axis, static_cast<T>(1.57079632679489661923), nullptr), MW_OK);
-    ASSERT_EQ(Api<T>::translation(&step, offset), MW_OK);
-    ASSERT_EQ(Api<T>::compose_motor_each(Api<T>::motors_aos(&local, sizeof local),
-                                         Api<T>::const_motors_aos(&turn, sizeof turn),
-                                         Api<T>::const_motors_aos(&step, sizeof step), 1),
+    ASSERT_EQ(api<T>::rotation(&turn, axis, static_cast<T>(1.57079632679489661923), nullptr), MW_OK);
+    ASSERT_EQ(api<T>::translation(&step, offset), MW_OK);
+    ASSERT_EQ(api<T>::compose_motor_each(api<T>::motors_aos(&local, sizeof local),
+                                         api<T>::const_motors_aos(&turn, sizeof turn),
+                                         api<T>::const_motors_aos(&step, sizeof step), 1),
               MW_OK);
     const std::vector<Motor> locals(5, local);
     std::vector<Motor> poses(5);
     const std::int32_t parents[5] = {-1, 0, 1, 2, -1};
-    ASSERT_EQ(Api<T>::compose_motor_hierarchy(Api<T>::motors_aos(poses.data(), sizeof local),
-                                              Api<T>::const_motors_aos(locals.data(), sizeof local), sizeof local,
+    ASSERT_EQ(api<T>::compose_motor_hierarchy(api<T>::motors_aos(poses.data(), sizeof local),
+                                              api<T>::const_motors_aos(locals.data(), sizeof local), sizeof local,
                                               parents, 5, 1, nullptr),
               MW_OK);
     const T expected[5][2] = {{1, 0}, {1, 1}, {0, 1}, {0, 0}, {1, 0}};
     for (std::size_t joint = 0; joint < 5; ++joint) {
         T moved[3];
-        ASSERT_EQ(Api<T>::apply_point_one(Api<T>::xyz_aos(moved, sizeof moved), &poses[joint],
-                                          Api<T>::const_xyz_aos(origin, sizeof origin), 1, MW_DEFAULT),
+        ASSERT_EQ(api<T>::apply_point_one(api<T>::xyz_aos(moved, sizeof moved), &poses[joint],
+                                          api<T>::const_xyz_aos(origin, sizeof origin), 1, MW_DEFAULT),
                   MW_OK);
         for (std::size_t k = 0; k < 2; ++k)
             EXPECT_NEAR(static_cast<double>(moved[k]), static_cast<double>(expected[joint][k]),

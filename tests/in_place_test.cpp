@@ -117,7 +117,7 @@ private:
     void describe(const std::vector<std::size_t> &over, const Slots &slots, Order order, std::size_t first,
                   std::size_t count)
     {
-        name_ = subject_.name() + " " + Api<T>::name + " on " + mw_isa() + ", count " + std::to_string(count) +
+        name_ = subject_.name() + " " + api<T>::name + " on " + mw_isa() + ", count " + std::to_string(count) +
                 ", output " + names_of_orders_of_slots[static_cast<int>(order)] + " from slot " +
                 std::to_string(first) + " of " + std::to_string(slots.number) +
                 (slots.kind == Slots::Kind::arrays ? " arrays" : "") + ", gap " + std::to_string(slots.gap) +
@@ -226,8 +226,8 @@ TYPED_TEST_SUITE(InPlaceConversionTest, Precisions, PrecisionName);
 TYPED_TEST(InPlaceConversionTest, matrices_over_their_motors)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
-    using Motor = typename Api<T>::Motor;
+    using C = api<T>;
+    using Motor = typename api<T>::motor;
     const std::size_t count = 37, stride = sizeof(T[16]);
     for (mw_matrix_layout layout : all_matrix_layouts) {
         std::vector<T> memory(16 * count, T(3)), motors(8 * count), matrices(16 * count), back(8 * count);
@@ -238,18 +238,18 @@ TYPED_TEST(InPlaceConversionTest, matrices_over_their_motors)
         }
         const auto slots = [&] { return reinterpret_cast<Motor *>(memory.data()); };
         const auto alone = [&](std::vector<T> &numbers) { return reinterpret_cast<Motor *>(numbers.data()); };
-        ASSERT_EQ(C::motor_to_matrix({matrices.data(), stride, layout},
-                                     Api<T>::const_motors_aos(alone(motors), sizeof(Motor)), count), MW_OK);
-        ASSERT_EQ(C::motor_to_matrix({memory.data(), stride, layout}, Api<T>::const_motors_aos(slots(), stride), count),
+        ASSERT_EQ(C::convert_motor_to_matrix_each({matrices.data(), stride, layout},
+                                     api<T>::const_motors_aos(alone(motors), sizeof(Motor)), count), MW_OK);
+        ASSERT_EQ(C::convert_motor_to_matrix_each({memory.data(), stride, layout}, api<T>::const_motors_aos(slots(), stride), count),
                   MW_OK);
         for (std::size_t i = 0; i < count; ++i)
             EXPECT_TRUE(std::equal(&memory[16 * i], &memory[16 * i] + numbers_of(layout), &matrices[16 * i]));
         for (unsigned flags : {unsigned(MW_DEFAULT), unsigned(MW_NEAREST_ROTATION), unsigned(MW_ROTATION_MATRICES)}) {
             memory = matrices;
-            ASSERT_EQ(C::matrix_to_motor(Api<T>::motors_aos(alone(back), sizeof(Motor)),
+            ASSERT_EQ(C::convert_matrix_to_motor_each(api<T>::motors_aos(alone(back), sizeof(Motor)),
                                          {matrices.data(), stride, layout}, count, flags, nullptr),
                       MW_OK);
-            ASSERT_EQ(C::matrix_to_motor(Api<T>::motors_aos(slots(), stride), {memory.data(), stride, layout}, count,
+            ASSERT_EQ(C::convert_matrix_to_motor_each(api<T>::motors_aos(slots(), stride), {memory.data(), stride, layout}, count,
                                          flags, nullptr),
                       MW_OK);
             for (std::size_t i = 0; i < count; ++i)
@@ -261,8 +261,8 @@ TYPED_TEST(InPlaceConversionTest, matrices_over_their_motors)
 TYPED_TEST(InPlaceConversionTest, dual_quaternions_over_their_motors)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
-    using Motor = typename Api<T>::Motor;
+    using C = api<T>;
+    using Motor = typename api<T>::motor;
     std::vector<T> motors(8 * 21);
     Random random(74);
     for (std::size_t k = 0; k < motors.size(); k += 8)
@@ -271,11 +271,11 @@ TYPED_TEST(InPlaceConversionTest, dual_quaternions_over_their_motors)
         std::vector<T> memory = motors;
         auto *const first = reinterpret_cast<Motor *>(memory.data());
         const View<T> view = packed_view(memory.data(), 8);
-        ASSERT_EQ(C::motor_to_dual_quaternion(dual_quaternions<typename C::DualQuaternions>(view, places),
-                                              Api<T>::const_motors_aos(first, sizeof(Motor)), 21), MW_OK);
+        ASSERT_EQ(C::convert_motor_to_dual_quaternion_each(dual_quaternions<typename C::dual_quaternions>(view, places),
+                                              api<T>::const_motors_aos(first, sizeof(Motor)), 21), MW_OK);
         EXPECT_NE(memory, motors);
-        ASSERT_EQ(C::dual_quaternion_to_motor(Api<T>::motors_aos(first, sizeof(Motor)),
-                                              dual_quaternions<typename C::ConstDualQuaternions>(view, places), 21),
+        ASSERT_EQ(C::convert_dual_quaternion_to_motor_each(api<T>::motors_aos(first, sizeof(Motor)),
+                                              dual_quaternions<typename C::const_dual_quaternions>(view, places), 21),
                   MW_OK);
         EXPECT_EQ(memory, motors);
     }
@@ -285,8 +285,8 @@ TYPED_TEST(InPlaceConversionTest, dual_quaternions_over_their_motors)
 TYPED_TEST(InPlaceConversionTest, over_other_elements_is_none)
 {
     using T = TypeParam;
-    using A = Api<T>;
-    using Motor = typename A::Motor;
+    using A = api<T>;
+    using Motor = typename A::motor;
     std::vector<T> memory(16 * 40, T(0.25));
     const std::vector<T> before = memory;
     const View<T> bivectors = packed_view(memory.data(), 6);
@@ -315,13 +315,13 @@ TYPED_TEST(InPlaceConversionTest, over_other_elements_is_none)
 TYPED_TEST(InPlaceConversionTest, two_outputs_are_apart)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
+    using C = api<T>;
     std::vector<T> memory(8 * 20, T(0.5));
     const std::vector<T> before = memory;
     View<T> pose = packed_view(memory.data(), 8);
     const auto run = [&](std::size_t translation) {
-        return C::motor_to_pose(quaternions<typename C::Xyzw>(pose, x_first),
-                                vectors<typename Api<T>::Xyz>(pose, translation), pose.const_motors(), 20);
+        return C::convert_motor_to_pose_each(quaternions<typename C::xyzw>(pose, x_first),
+                                vectors<typename api<T>::xyz>(pose, translation), pose.const_motors(), 20);
     };
     for (std::size_t translation : {0, 1, 3})
         EXPECT_EQ(run(translation), MW_ERROR_OVERLAP);

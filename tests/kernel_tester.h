@@ -335,7 +335,7 @@ private:
     void fail(const std::string &message)
     {
         std::ostringstream text;
-        text << subject_.name() << " " << Api<T>::name << " on " << isa_ << ", count " << count_
+        text << subject_.name() << " " << api<T>::name << " on " << isa_ << ", count " << count_
              << ", pool elements from " << first_ << ", inputs";
         for (const Layout &layout : input_layouts_)
             text << " " << layout.name();

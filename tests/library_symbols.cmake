@@ -1,4 +1,6 @@
-# cmake -Dnm=NM -Dlibrary=libmotorway.a -P library_symbols.cmake
+# cmake -Dnm=NM -Dlibrary=libmotorway.a -Dapi=generated/api.json -P library_symbols.cmake
+#
+# The library has the functions of the table, and no other of its prefix.
 #
 # A program in C links the static library with nothing but the C library: no libm, no C++ library. So no object may
 # need a symbol that is neither in the library nor one of these.
@@ -44,5 +46,22 @@ if(failures)
   list(JOIN failures "\n  " text)
   message(FATAL_ERROR "The library needs what a program in C does not link:\n  ${text}")
 endif()
+
+file(READ ${api} functions)
+string(JSON last LENGTH "${functions}")
+math(EXPR last "${last} - 1")
+set(expected "")
+foreach(k RANGE ${last})
+  string(JSON name GET "${functions}" ${k} name)
+  list(APPEND expected ${name})
+endforeach()
+list(FILTER defined INCLUDE REGEX "^mw_")
+set(missing ${expected})
+list(REMOVE_ITEM missing ${defined})
+list(REMOVE_ITEM defined ${expected})
+if(missing OR defined)
+  message(FATAL_ERROR "${api} has what the library lacks: ${missing}; and lacks what it has: ${defined}")
+endif()
+
 list(LENGTH needed count)
 message(STATUS "${count} symbols needed, all of them in the library or in the C library")

@@ -96,8 +96,8 @@ Converted<T> convert(const std::vector<Matrix> &matrices, mw_matrix_layout layou
 {
     Converted<T> result{MW_OK, 77, std::vector<T>(8 * matrices.size(), T(7))};
     const std::vector<T> in = numbers<T>(matrices, layout);
-    auto *const motors = reinterpret_cast<typename Api<T>::Motor *>(result.motors.data());
-    result.status = ConvertApi<T>::matrix_to_motor(Api<T>::motors_aos(motors, sizeof *motors),
+    auto *const motors = reinterpret_cast<typename api<T>::motor *>(result.motors.data());
+    result.status = api<T>::convert_matrix_to_motor_each(api<T>::motors_aos(motors, sizeof *motors),
                                                    {in.data(), numbers_of(layout) * sizeof(T), layout},
                                                    matrices.size(), flags, &result.first_bad);
     return result;
@@ -222,9 +222,9 @@ TYPED_TEST(MatricesTest, no_place_for_the_number_of_the_first_is_needed)
 {
     using T = TypeParam;
     const std::vector<T> in = numbers<T>({scaled(2, 2, 2)}, MW_MATRIX_ROWS_3X4);
-    typename Api<T>::Motor motor{};
+    typename api<T>::motor motor{};
     for (unsigned flags : {unsigned(MW_DEFAULT), unsigned(MW_NEAREST_ROTATION), unsigned(MW_ROTATION_MATRICES)})
-        EXPECT_EQ(ConvertApi<T>::matrix_to_motor(Api<T>::motors_aos(&motor, sizeof motor),
+        EXPECT_EQ(api<T>::convert_matrix_to_motor_each(api<T>::motors_aos(&motor, sizeof motor),
                                                  {in.data(), sizeof(T[12]), MW_MATRIX_ROWS_3X4}, 1, flags, nullptr),
                   flags == MW_DEFAULT ? MW_ERROR_MATRIX : MW_OK);
 }
@@ -304,7 +304,7 @@ TYPED_TEST(MatricesTest, are_taken_up_to_the_tolerance)
         for (mw_matrix_layout layout : all_matrix_layouts) {
             const std::vector<T> in = numbers<T>({matrix}, layout);
             const mw_status checked =
-                ConvertApi<T>::check_matrices({in.data(), numbers_of(layout) * sizeof(T), layout}, 1,
+                api<T>::check_matrices({in.data(), numbers_of(layout) * sizeof(T), layout}, 1,
                                               static_cast<T>(tolerance<T>), nullptr, nullptr);
             EXPECT_EQ(convert<T>({matrix}, layout).status, checked) << name_of(layout);
             EXPECT_EQ(before.value_or(checked), checked) << name_of(layout);

@@ -18,7 +18,7 @@ template <class T>
 struct MotionCall {
     View<T> out, in;
     std::size_t row_stride = 0;
-    const typename Api<T>::CompiledMotion *motion = nullptr;
+    const typename api<T>::compiled_motion *motion = nullptr;
     std::size_t index = 0;
     const T *parameters = nullptr;
     std::size_t parameter_count = 0, count = 0;
@@ -200,7 +200,7 @@ TYPED_TEST(MotionApplyTest, errors)
         sound.out = packed(out, n);
         sound.in = packed(in, n);
         sound.row_stride = row;
-        sound.motion = reinterpret_cast<const typename Api<T>::CompiledMotion *>(memory.data());
+        sound.motion = reinterpret_cast<const typename api<T>::compiled_motion *>(memory.data());
         sound.parameters = parameters;
         sound.parameter_count = rows;
         sound.count = count;
@@ -238,7 +238,7 @@ TYPED_TEST(MotionApplyTest, errors)
         }
         call.index = 3;
         expect(MW_ERROR_MOTION_INDEX, "index");
-        call.motion = reinterpret_cast<const typename Api<T>::CompiledMotion *>(memory.data() + 64 / sizeof(T) * 2);
+        call.motion = reinterpret_cast<const typename api<T>::compiled_motion *>(memory.data() + 64 / sizeof(T) * 2);
         expect(MW_ERROR_MOTION, "motion");
         for (T bad : {T(-1), T(4), std::numeric_limits<T>::quiet_NaN()}) {
             parameters[rows - 1] = bad;

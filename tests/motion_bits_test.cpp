@@ -114,13 +114,13 @@ TYPED_TEST(MotionBitsTest, every_layout_and_count_and_nothing_else_is_touched)
                         // Aligned to 8 bytes, as it must be.
                         auto *memory = placed_motion.place((motion.size() + 7) / 8 * 8, guard);
                         std::memcpy(memory, motion.get(), motion.size());
-                        const auto *compiled = reinterpret_cast<const typename Api<T>::CompiledMotion *>(memory);
+                        const auto *compiled = reinterpret_cast<const typename api<T>::compiled_motion *>(memory);
                         GuardedView<T> out(poses, layouts[k], 8, count, guard);
                         GuardedView<T> rates(twists, twist_layouts[(k + count) % 10], 6, count, guard);
-                        ASSERT_EQ(Api<T>::sample_motion_one(out.view.motors(), compiled, 0, from, count, MW_DEFAULT),
+                        ASSERT_EQ(api<T>::sample_motion_one(out.view.motors(), compiled, 0, from, count, MW_DEFAULT),
                                   MW_OK);
                         out.expect(expected.poses.data(), what);
-                        ASSERT_EQ(Api<T>::sample_motion_twist_one(out.view.motors(), rates.view.bivectors(), compiled,
+                        ASSERT_EQ(api<T>::sample_motion_twist_one(out.view.motors(), rates.view.bivectors(), compiled,
                                                                   0, from, count, MW_DEFAULT),
                                   MW_OK);
                         out.expect(expected.poses.data(), what + ", with twists");
@@ -236,8 +236,8 @@ TYPED_TEST(MotionBitsTest, a_copy_of_a_compiled_motion_is_one)
             std::memset(const_cast<void *>(static_cast<const void *>(motion.get())), 0xcd, motion.size());
         }
         out.resize(expected.size());
-        EXPECT_EQ(Api<T>::sample_motion_one(packed_motors(out.data()),
-                                            reinterpret_cast<const typename Api<T>::CompiledMotion *>(&copy[1]), 0,
+        EXPECT_EQ(api<T>::sample_motion_one(packed_motors(out.data()),
+                                            reinterpret_cast<const typename api<T>::compiled_motion *>(&copy[1]), 0,
                                             parameters.data(), parameters.size(), MW_DEFAULT),
                   MW_OK);
         EXPECT_TRUE(same_bits(out, expected)) << name_of(kind);
@@ -268,11 +268,11 @@ TYPED_TEST(MotionBitsTest, compiling_touches_nothing_else)
                     if (motion.base)
                         motion.base = bases.place_copy(data.base.data(), 1, guard);
                     std::size_t size = 0;
-                    ASSERT_EQ(Api<T>::motion_size(&size, &motion, nullptr), MW_OK) << data.name();
+                    ASSERT_EQ(api<T>::motion_size(&size, &motion, nullptr), MW_OK) << data.name();
                     ASSERT_EQ(size % 4, 0u);  // so that the block below can be aligned
-                    const typename Api<T>::CompiledMotion *compiled = nullptr;
+                    const typename api<T>::compiled_motion *compiled = nullptr;
                     void *const block = memory.place(size, guard, guard == Guard::after ? size % 8 : 0);
-                    ASSERT_EQ(Api<T>::compile_motion(&compiled, block, size, &motion, MW_DEFAULT, nullptr), MW_OK);
+                    ASSERT_EQ(api<T>::compile_motion(&compiled, block, size, &motion, MW_DEFAULT, nullptr), MW_OK);
                     EXPECT_EQ(static_cast<const void *>(compiled), block);
                 }
 }

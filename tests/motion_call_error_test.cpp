@@ -22,7 +22,7 @@ constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
 template <class T>
 struct SampleCall {
     View<T> out, twists;
-    const typename Api<T>::CompiledMotion *motion = nullptr;
+    const typename api<T>::compiled_motion *motion = nullptr;
     std::size_t index = 0;
     const T *parameters = nullptr;
     std::size_t parameter_stride = sizeof(T), count = 0;
@@ -39,7 +39,7 @@ struct SampleFunction {
 template <class T>
 std::vector<SampleFunction<T>> sample_functions()
 {
-    using A = Api<T>;
+    using A = api<T>;
     using Call = SampleCall<T>;
     return {{"sample_motion_one", false, false,
              [](const Call &c) {
@@ -77,7 +77,7 @@ public:
         motion_bytes = (compiled.size() + 63) / 64 * 64;
         memory_.assign((motion_bytes + 64 + count * sizeof(T) + 2 * count * stride + 512) / 8, 0xcdcdcdcdcdcdcdcd);
         std::memcpy(memory_.data(), compiled.get(), compiled.size());
-        call.motion = reinterpret_cast<const typename Api<T>::CompiledMotion *>(memory_.data());
+        call.motion = reinterpret_cast<const typename api<T>::compiled_motion *>(memory_.data());
         call.parameters = numbers(motion_bytes + 64);
         for (std::size_t i = 0; i < count; ++i)
             numbers(motion_bytes + 64)[i] = static_cast<T>(i) / T(10);
@@ -106,7 +106,7 @@ public:
     {
         const std::vector<std::uint64_t> before = memory_;
         const mw_status got = function_.run(call);
-        EXPECT_EQ(got, status) << function_.name << " " << Api<T>::name << ", " << what << ": "
+        EXPECT_EQ(got, status) << function_.name << " " << api<T>::name << ", " << what << ": "
                                << mw_status_text(got);
         EXPECT_TRUE(memory_ == before) << function_.name << ", " << what << ": bytes changed";
     }
@@ -258,16 +258,16 @@ TYPED_TEST(MotionCallErrorTest, what_is_no_compiled_motion)
     this->for_every_function([&](const SampleFunction<T> &, Samples<T> &samples) {
         for (const void *wrong : {static_cast<const void *>(other.get()), static_cast<const void *>(zero.data()),
                                   static_cast<const void *>(garbage.data())}) {
-            samples.call.motion = static_cast<const typename Api<T>::CompiledMotion *>(wrong);
+            samples.call.motion = static_cast<const typename api<T>::compiled_motion *>(wrong);
             samples.expect(MW_ERROR_MOTION, "not a motion");
             T domain[2] = {7, 7};
-            EXPECT_EQ(Api<T>::motion_domain(domain, samples.call.motion), MW_ERROR_MOTION);
+            EXPECT_EQ(api<T>::motion_domain(domain, samples.call.motion), MW_ERROR_MOTION);
             EXPECT_EQ(domain[0], T(7));
         }
     });
     T domain[2] = {7, 7};
-    EXPECT_EQ(Api<T>::motion_domain(domain, nullptr), MW_ERROR_NULL);
-    EXPECT_EQ(Api<T>::motion_domain(nullptr, Samples<T>(sample_functions<T>()[0]).call.motion), MW_ERROR_NULL);
+    EXPECT_EQ(api<T>::motion_domain(domain, nullptr), MW_ERROR_NULL);
+    EXPECT_EQ(api<T>::motion_domain(nullptr, Samples<T>(sample_functions<T>()[0]).call.motion), MW_ERROR_NULL);
 }
 
 TYPED_TEST(MotionCallErrorTest, motions_beyond_the_last)
@@ -322,9 +322,9 @@ TYPED_TEST(MotionCallErrorTest, velocities_of_nothing)
     using T = TypeParam;
     const T twist[6] = {1, 2, 3, 4, 5, 6}, place[3] = {1, 2, 3};
     T velocity[3] = {7, 7, 7};
-    EXPECT_EQ(Api<T>::twist_velocity(nullptr, twist, place), MW_ERROR_NULL);
-    EXPECT_EQ(Api<T>::twist_velocity(velocity, nullptr, place), MW_ERROR_NULL);
-    EXPECT_EQ(Api<T>::twist_velocity(velocity, twist, nullptr), MW_ERROR_NULL);
+    EXPECT_EQ(api<T>::twist_velocity(nullptr, twist, place), MW_ERROR_NULL);
+    EXPECT_EQ(api<T>::twist_velocity(velocity, nullptr, place), MW_ERROR_NULL);
+    EXPECT_EQ(api<T>::twist_velocity(velocity, twist, nullptr), MW_ERROR_NULL);
     for (T v : velocity)
         EXPECT_EQ(v, T(7));
 }

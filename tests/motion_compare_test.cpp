@@ -14,14 +14,14 @@ namespace motorway::testing {
 namespace {
 
 template <class T>
-using Compiled = const typename Api<T>::CompiledMotion *;
+using Compiled = const typename api<T>::compiled_motion *;
 template <class T>
-using Distance = typename Api<T>::MotionDistance;
+using Distance = typename api<T>::motion_distance;
 
 template <class T>
-typename Api<T>::ConstXyz packed(const std::vector<T> &points)
+typename api<T>::const_xyz packed(const std::vector<T> &points)
 {
-    return Api<T>::const_xyz_aos(points.data(), sizeof(T[3]));
+    return api<T>::const_xyz_aos(points.data(), sizeof(T[3]));
 }
 
 template <class T>
@@ -29,7 +29,7 @@ Distance<T> compared(const CompiledMotion<T> &first, const CompiledMotion<T> &se
                      std::size_t samples)
 {
     Distance<T> largest{};
-    const mw_status status = Api<T>::compare_motions(&largest, first.get(), 0, second.get(), 0, packed(points),
+    const mw_status status = api<T>::compare_motions(&largest, first.get(), 0, second.get(), 0, packed(points),
                                                      points.size() / 3, samples);
     EXPECT_EQ(status, MW_OK) << mw_status_text(status);
     return largest;
@@ -44,7 +44,7 @@ MotionData<T> there_and_back(T x, T y, T z, T begin, T end)
     const T nothing[] = {0, 0, 0}, offset[] = {x, y, z};
     data.controls.resize(3);
     for (std::size_t k = 0; k < 3; ++k)
-        EXPECT_EQ(Api<T>::translation(&data.controls[k], k == 1 ? offset : nothing), MW_OK);
+        EXPECT_EQ(api<T>::translation(&data.controls[k], k == 1 ? offset : nothing), MW_OK);
     return data;
 }
 
@@ -128,10 +128,10 @@ TYPED_TEST(MotionCompareTest, both_ends_are_among_the_samples)
     MotionData<T> towards, away;
     const T nothing[] = {0, 0, 0}, offset[] = {1, 0, 0};
     towards.controls.resize(2), away.controls.resize(2);
-    ASSERT_EQ(Api<T>::translation(&towards.controls[0], offset), MW_OK);
-    ASSERT_EQ(Api<T>::translation(&towards.controls[1], nothing), MW_OK);
-    ASSERT_EQ(Api<T>::translation(&away.controls[0], nothing), MW_OK);
-    ASSERT_EQ(Api<T>::translation(&away.controls[1], offset), MW_OK);
+    ASSERT_EQ(api<T>::translation(&towards.controls[0], offset), MW_OK);
+    ASSERT_EQ(api<T>::translation(&towards.controls[1], nothing), MW_OK);
+    ASSERT_EQ(api<T>::translation(&away.controls[0], nothing), MW_OK);
+    ASSERT_EQ(api<T>::translation(&away.controls[1], offset), MW_OK);
     towards.knots = away.knots = {T(0.1), T(0.7)};
     MotionData<T> resting = away;
     resting.controls[1] = resting.controls[0];
@@ -196,8 +196,8 @@ TYPED_TEST(MotionCompareTest, one_of_many_motions)
         for (std::size_t other = 0; other < 3; ++other) {
             Distance<T> largest{}, reversed{};
             const auto view = packed(points);
-            ASSERT_EQ(Api<T>::compare_motions(&largest, one.get(), 0, all.get(), other, view, 5, 20), MW_OK);
-            ASSERT_EQ(Api<T>::compare_motions(&reversed, all.get(), other, one.get(), 0, view, 5, 20), MW_OK);
+            ASSERT_EQ(api<T>::compare_motions(&largest, one.get(), 0, all.get(), other, view, 5, 20), MW_OK);
+            ASSERT_EQ(api<T>::compare_motions(&reversed, all.get(), other, one.get(), 0, view, 5, 20), MW_OK);
             EXPECT_EQ(largest.distance, reversed.distance);
             EXPECT_EQ(largest.distance == T(0), index == other);
         }
@@ -227,7 +227,7 @@ TYPED_TEST(MotionCompareTest, points_in_every_layout)
                 std::memcpy(reinterpret_cast<unsigned char *>(view.component[c]) + i * view.stride,
                             &points[3 * i + c], sizeof(T));
         Distance<T> largest{};
-        ASSERT_EQ(Api<T>::compare_motions(&largest, first.get(), 0, second.get(), 0, view.const_xyz(), count, 40),
+        ASSERT_EQ(api<T>::compare_motions(&largest, first.get(), 0, second.get(), 0, view.const_xyz(), count, 40),
                   MW_OK)
             << layout.name();
         EXPECT_EQ(largest.distance, expected.distance) << layout.name();
@@ -253,13 +253,13 @@ TYPED_TEST(MotionCompareTest, nothing_to_compare)
 {
     using T = TypeParam;
     const CompiledMotion<T> first(there_and_back<T>(3, 0, 0, 1, 8)), second(there_and_back<T>(0, 4, 0, -2, 8));
-    const typename Api<T>::ConstXyz none{};
+    const typename api<T>::const_xyz none{};
     for (std::size_t samples : {0, 1, 100})
         for (std::size_t count : {0, 1}) {
             if (samples && count)
                 continue;
             Distance<T> largest{-1, {-1, -1}, 7};
-            ASSERT_EQ(Api<T>::compare_motions(&largest, first.get(), 0, second.get(), 0, none, count, samples),
+            ASSERT_EQ(api<T>::compare_motions(&largest, first.get(), 0, second.get(), 0, none, count, samples),
                       MW_OK);
             EXPECT_EQ(largest.distance, T(0));
             EXPECT_EQ(largest.parameters[0], T(1));
@@ -284,14 +284,14 @@ TYPED_TEST(MotionCompareTest, errors)
     std::memset(static_cast<void *>(&largest), 0x5a, sizeof largest);
     std::memcpy(static_cast<void *>(&before), &largest, sizeof largest);
     const auto fails = [&](mw_status status, Compiled<T> first, std::size_t first_index, Compiled<T> second,
-                           std::size_t second_index, typename Api<T>::ConstXyz view, std::size_t count) {
+                           std::size_t second_index, typename api<T>::const_xyz view, std::size_t count) {
         const mw_status got =
-            Api<T>::compare_motions(&largest, first, first_index, second, second_index, view, count, 9);
+            api<T>::compare_motions(&largest, first, first_index, second, second_index, view, count, 9);
         EXPECT_EQ(got, status) << mw_status_text(got);
         EXPECT_EQ(std::memcmp(&largest, &before, sizeof largest), 0) << "bytes changed";
     };
     const auto view = packed(points);
-    EXPECT_EQ(Api<T>::compare_motions(nullptr, motion.get(), 0, motion.get(), 0, view, 10, 9), MW_ERROR_NULL);
+    EXPECT_EQ(api<T>::compare_motions(nullptr, motion.get(), 0, motion.get(), 0, view, 10, 9), MW_ERROR_NULL);
     fails(MW_ERROR_NULL, nullptr, 0, motion.get(), 0, view, 10);
     fails(MW_ERROR_NULL, motion.get(), 0, nullptr, 0, view, 10);
     fails(MW_ERROR_MOTION, of_other, 0, motion.get(), 0, view, 10);

@@ -16,7 +16,7 @@ namespace motorway::testing {
 namespace {
 
 template <class T>
-MotionData<T> data_of(const typename Api<T>::Motion &motion)
+MotionData<T> data_of(const typename api<T>::motion &motion)
 {
     EXPECT_EQ(motion.kind, MW_MOTION_ADDITIVE);
     EXPECT_EQ(motion.weights, nullptr);
@@ -29,7 +29,7 @@ MotionData<T> data_of(const typename Api<T>::Motion &motion)
     data.knots.assign(motion.knots, motion.knots + motion.knot_count);
     std::size_t size;
     const auto view = data.view();
-    EXPECT_EQ(Api<T>::motion_size(&size, &view, nullptr), MW_OK) << data.name();
+    EXPECT_EQ(api<T>::motion_size(&size, &view, nullptr), MW_OK) << data.name();
     return data;
 }
 
@@ -37,8 +37,8 @@ MotionData<T> data_of(const typename Api<T>::Motion &motion)
 template <class T, class Edit>
 MotionData<T> edited(const Edit &edit, Guard guard = Guard::after)
 {
-    typename Api<T>::Motion out{};
-    EXPECT_EQ(edit(&out, typename Api<T>::MotionArrays{}), MW_ERROR_MEMORY);
+    typename api<T>::motion out{};
+    EXPECT_EQ(edit(&out, typename api<T>::motion_arrays{}), MW_ERROR_MEMORY);
     Room<T> room(out, guard);
     const std::size_t controls = out.control_count, knots = out.knot_count;
     EXPECT_EQ(edit(&out, room.arrays), MW_OK);
@@ -54,14 +54,14 @@ template <class T>
 MotionData<T> with_knot(const MotionData<T> &data, T knot, unsigned times)
 {
     const auto motion = data.view();
-    return edited<T>([&](auto *out, auto arrays) { return Api<T>::insert_knot(out, arrays, &motion, knot, times); });
+    return edited<T>([&](auto *out, auto arrays) { return api<T>::insert_knot(out, arrays, &motion, knot, times); });
 }
 
 template <class T>
 MotionData<T> elevated(const MotionData<T> &data)
 {
     const auto motion = data.view();
-    return edited<T>([&](auto *out, auto arrays) { return Api<T>::elevate_degree(out, arrays, &motion); });
+    return edited<T>([&](auto *out, auto arrays) { return api<T>::elevate_degree(out, arrays, &motion); });
 }
 
 template <class T>
@@ -73,10 +73,10 @@ template <class T>
 Parts<T> split(const MotionData<T> &data, T at, Guard guard = Guard::after)
 {
     const auto motion = data.view();
-    typename Api<T>::Motion before{}, after{};
-    EXPECT_EQ(Api<T>::split_motion(&before, {}, &after, {}, &motion, at), MW_ERROR_MEMORY);
+    typename api<T>::motion before{}, after{};
+    EXPECT_EQ(api<T>::split_motion(&before, {}, &after, {}, &motion, at), MW_ERROR_MEMORY);
     Room<T> before_room(before, guard), after_room(after, guard);
-    EXPECT_EQ(Api<T>::split_motion(&before, before_room.arrays, &after, after_room.arrays, &motion, at), MW_OK);
+    EXPECT_EQ(api<T>::split_motion(&before, before_room.arrays, &after, after_room.arrays, &motion, at), MW_OK);
     EXPECT_TRUE(before_room.is_untouched_elsewhere() && after_room.is_untouched_elsewhere());
     return {data_of<T>(before), data_of<T>(after)};
 }
@@ -440,7 +440,7 @@ TYPED_TEST(MotionEditTest, a_result_may_be_described_where_the_motion_was)
     const auto expected = with_knot(data, T(1.5), 1);
     Room<T> room(expected.controls.size(), expected.knots.size());
     auto motion = data.view();
-    ASSERT_EQ(Api<T>::insert_knot(&motion, room.arrays, &motion, T(1.5), 1), MW_OK);
+    ASSERT_EQ(api<T>::insert_knot(&motion, room.arrays, &motion, T(1.5), 1), MW_OK);
     const auto result = data_of<T>(motion);
     EXPECT_EQ(result.knots, expected.knots);
     const std::size_t bytes = sizeof(T[8]) * expected.controls.size();
@@ -454,7 +454,7 @@ TYPED_TEST(MotionEditTest, a_result_may_be_described_where_the_motion_was)
 template <class T>
 class Bench {
 public:
-    using A = Api<T>;
+    using A = api<T>;
 
     Bench() : rooms{{100, 100}, {100, 100}}
     {
@@ -476,14 +476,14 @@ public:
 
     bool is_untouched()
     {
-        const typename A::Motion none{};
+        const typename A::motion none{};
         return rooms[0].is_untouched() && rooms[1].is_untouched() && std::memcmp(&out, &none, sizeof out) == 0 &&
                std::memcmp(&second, &none, sizeof second) == 0;
     }
 
     MotionData<T> data;
-    typename A::Motion motion, out{}, second{};
-    typename A::MotionArrays before, after;
+    typename A::motion motion, out{}, second{};
+    typename A::motion_arrays before, after;
     Room<T> rooms[2];
 };
 
@@ -521,7 +521,7 @@ TYPED_TEST(MotionEditTest, descriptions_are_checked)
     expect(MW_ERROR_KNOTS, "knots that decrease", [](Bench<T> &b) { b.data.knots[4] = T(0.5); });
     expect(MW_ERROR_WEIGHTS, "weight 0", [](Bench<T> &b) { b.data.weights[2] = 0; });
     expect(MW_ERROR_OVERLAP, "controls in place",
-           [](Bench<T> &b) { b.before.controls = const_cast<typename Api<T>::Motor *>(b.motion.controls); });
+           [](Bench<T> &b) { b.before.controls = const_cast<typename api<T>::motor *>(b.motion.controls); });
     expect(MW_ERROR_OVERLAP, "knots in place", [](Bench<T> &b) { b.before.knots = const_cast<T *>(b.motion.knots); });
     expect(MW_ERROR_OVERLAP, "knots on the weights",
            [](Bench<T> &b) { b.before.knots = const_cast<T *>(b.motion.weights); });
@@ -532,7 +532,7 @@ TYPED_TEST(MotionEditTest, descriptions_are_checked)
 TYPED_TEST(MotionEditTest, a_description_and_a_place_for_the_result_are_needed)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     Bench<T> b;
     EXPECT_EQ(A::insert_knot(nullptr, b.before, &b.motion, T(1.5), 1), MW_ERROR_NULL);
     EXPECT_EQ(A::insert_knot(&b.out, b.before, nullptr, T(1.5), 1), MW_ERROR_NULL);
@@ -575,7 +575,7 @@ TYPED_TEST(MotionEditTest, arrays_that_are_too_small_are_told_what_they_need)
 {
     using T = TypeParam;
     Bench<T> b;
-    const auto expect = [&](const typename Api<T>::Motion &out, std::size_t controls, std::size_t knots) {
+    const auto expect = [&](const typename api<T>::motion &out, std::size_t controls, std::size_t knots) {
         EXPECT_EQ(out.control_count, controls);
         EXPECT_EQ(out.knot_count, knots);
         EXPECT_TRUE(b.rooms[0].is_untouched() && b.rooms[1].is_untouched());
@@ -601,9 +601,9 @@ TYPED_TEST(MotionEditTest, the_highest_degree_is_not_elevated)
     Random random(311);
     const MotionData<T> data = random_motion<T>(random, MW_MOTION_ADDITIVE, MW_MAX_DEGREE, MW_MAX_DEGREE + 1);
     const auto motion = data.view();
-    typename Api<T>::Motion out{};
+    typename api<T>::motion out{};
     Room<T> room(100, 100);
-    EXPECT_EQ(Api<T>::elevate_degree(&out, room.arrays, &motion), MW_ERROR_DEGREE);
+    EXPECT_EQ(api<T>::elevate_degree(&out, room.arrays, &motion), MW_ERROR_DEGREE);
     EXPECT_TRUE(room.is_untouched());
 }
 

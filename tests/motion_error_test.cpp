@@ -27,8 +27,8 @@ std::vector<T> not_finite()
 template <class T>
 class MotionErrorTest : public ::testing::Test {
 protected:
-    using Motion = typename Api<T>::Motion;
-    using Compiled = typename Api<T>::CompiledMotion;
+    using Motion = typename api<T>::motion;
+    using Compiled = typename api<T>::compiled_motion;
 
     // A motion of degree 2 along a line, with the knots of the paper's figure 5.
     static MotionData<T> sound(mw_motion_kind kind = MW_MOTION_ADDITIVE)
@@ -53,9 +53,9 @@ protected:
         const Compiled *const untouched = reinterpret_cast<const Compiled *>(memory.data());
         const Compiled *compiled = untouched;
         std::size_t got = 1234;
-        EXPECT_EQ(Api<T>::compile_motion(&compiled, memory.data(), size, &motion, flags, &got), status);
+        EXPECT_EQ(api<T>::compile_motion(&compiled, memory.data(), size, &motion, flags, &got), status);
         EXPECT_EQ(got, where) << mw_status_text(status);
-        EXPECT_EQ(Api<T>::compile_motion(&compiled, memory.data(), size, &motion, flags, nullptr), status);
+        EXPECT_EQ(api<T>::compile_motion(&compiled, memory.data(), size, &motion, flags, nullptr), status);
         EXPECT_EQ(compiled, untouched);
         EXPECT_TRUE(memory == before) << mw_status_text(status) << ": bytes changed";
     }
@@ -64,9 +64,9 @@ protected:
     static void expect_error(const Motion &motion, mw_status status, std::size_t where)
     {
         std::size_t size = 77, got = 1234;
-        EXPECT_EQ(Api<T>::motion_size(&size, &motion, &got), status);
+        EXPECT_EQ(api<T>::motion_size(&size, &motion, &got), status);
         EXPECT_EQ(got, where) << mw_status_text(status);
-        EXPECT_EQ(Api<T>::motion_size(&size, &motion, nullptr), status);
+        EXPECT_EQ(api<T>::motion_size(&size, &motion, nullptr), status);
         EXPECT_EQ(size, 77u);
         expect_compile_error(motion, status, where);
     }
@@ -85,12 +85,12 @@ TYPED_TEST_SUITE(MotionErrorTest, Precisions, PrecisionName);
 TYPED_TEST(MotionErrorTest, null_pointers)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     const auto data = this->sound();
     auto motion = data.view();
     std::size_t size = 77;
     std::vector<std::uint64_t> memory(4096);
-    const typename A::CompiledMotion *compiled = nullptr;
+    const typename A::compiled_motion *compiled = nullptr;
     EXPECT_EQ(A::motion_size(nullptr, &motion, nullptr), MW_ERROR_NULL);
     EXPECT_EQ(A::motion_size(&size, nullptr, nullptr), MW_ERROR_NULL);
     EXPECT_EQ(A::compile_motion(nullptr, memory.data(), 8 * 4096, &motion, MW_DEFAULT, nullptr), MW_ERROR_NULL);
@@ -171,7 +171,7 @@ TYPED_TEST(MotionErrorTest, knots_of_the_wrong_count)
                 motion.knot_count = count;
                 std::size_t size = 0;
                 if (count == right) {
-                    EXPECT_EQ(Api<T>::motion_size(&size, &motion, nullptr), MW_OK) << data.name();
+                    EXPECT_EQ(api<T>::motion_size(&size, &motion, nullptr), MW_OK) << data.name();
                 } else {
                     this->expect_error(motion, MW_ERROR_KNOT_COUNT, 0);
                 }
@@ -222,7 +222,7 @@ TYPED_TEST(MotionErrorTest, knots_of_closed_motions)
             data.knots[k] = bad;
             std::size_t size = 0;
             const auto motion = data.view();
-            EXPECT_EQ(Api<T>::motion_size(&size, &motion, nullptr), MW_ERROR_KNOTS) << k;
+            EXPECT_EQ(api<T>::motion_size(&size, &motion, nullptr), MW_ERROR_KNOTS) << k;
         }
     auto data = this->sound();
     data.closed = true;
@@ -231,7 +231,7 @@ TYPED_TEST(MotionErrorTest, knots_of_closed_motions)
     data.knots = {0, 0, 1, 2, 4, 4, 4};
     std::size_t size = 0;
     const auto motion = data.view();
-    EXPECT_EQ(Api<T>::motion_size(&size, &motion, nullptr), MW_ERROR_KNOTS);
+    EXPECT_EQ(api<T>::motion_size(&size, &motion, nullptr), MW_ERROR_KNOTS);
 }
 
 TYPED_TEST(MotionErrorTest, a_domain_of_length_zero)
@@ -244,7 +244,7 @@ TYPED_TEST(MotionErrorTest, a_domain_of_length_zero)
     data.knots = {3, 3, 3, 3};
     auto motion = data.view();
     std::size_t size = 0;
-    EXPECT_EQ(Api<TypeParam>::motion_size(&size, &motion, nullptr), MW_ERROR_KNOTS);
+    EXPECT_EQ(api<TypeParam>::motion_size(&size, &motion, nullptr), MW_ERROR_KNOTS);
 }
 
 TYPED_TEST(MotionErrorTest, weights)
@@ -300,12 +300,12 @@ TYPED_TEST(MotionErrorTest, sizes_beyond_the_address_space)
         auto motion = data.view();
         motion.motion_count = count;
         std::size_t size = 77, where = 1234;
-        EXPECT_EQ(Api<T>::motion_size(&size, &motion, &where), MW_ERROR_SIZE) << count;
+        EXPECT_EQ(api<T>::motion_size(&size, &motion, &where), MW_ERROR_SIZE) << count;
         EXPECT_EQ(where, 0u);
         EXPECT_EQ(size, 77u);
         motion = data.view();
         motion.control_count = count;
-        const mw_status status = Api<T>::motion_size(&size, &motion, nullptr);
+        const mw_status status = api<T>::motion_size(&size, &motion, nullptr);
         EXPECT_TRUE(status == MW_ERROR_SIZE || status == MW_ERROR_KNOT_COUNT) << count;
     }
 }
@@ -316,18 +316,18 @@ TYPED_TEST(MotionErrorTest, memory_that_is_too_small_or_not_aligned)
     const auto data = this->sound();
     const auto motion = data.view();
     std::size_t size = 0;
-    ASSERT_EQ(Api<T>::motion_size(&size, &motion, nullptr), MW_OK);
+    ASSERT_EQ(api<T>::motion_size(&size, &motion, nullptr), MW_OK);
     for (std::size_t small : {std::size_t(0), std::size_t(1), size / 2, size - 1})
         this->expect_compile_error(motion, MW_ERROR_MEMORY, 0, MW_DEFAULT, small);
     std::vector<std::uint64_t> memory(size / 8 + 3, 7);
     const auto before = memory;
-    const typename Api<T>::CompiledMotion *compiled = nullptr;
+    const typename api<T>::compiled_motion *compiled = nullptr;
     for (std::size_t offset : {1, 2, 4, 7})
-        EXPECT_EQ(Api<T>::compile_motion(&compiled, reinterpret_cast<char *>(memory.data()) + offset, size + 8,
+        EXPECT_EQ(api<T>::compile_motion(&compiled, reinterpret_cast<char *>(memory.data()) + offset, size + 8,
                                          &motion, MW_DEFAULT, nullptr),
                   MW_ERROR_MEMORY);
     EXPECT_TRUE(memory == before);
-    EXPECT_EQ(Api<T>::compile_motion(&compiled, &memory[1], size, &motion, MW_DEFAULT, nullptr), MW_OK);
+    EXPECT_EQ(api<T>::compile_motion(&compiled, &memory[1], size, &motion, MW_DEFAULT, nullptr), MW_OK);
 }
 
 // The first byte of the memory is the last of an array, and the other way round.
@@ -344,7 +344,7 @@ TYPED_TEST(MotionErrorTest, memory_that_overlaps_the_description)
             motion.weights = weights.data();
         }
         std::size_t size = 0;
-        ASSERT_EQ(Api<T>::motion_size(&size, &motion, nullptr), MW_OK);
+        ASSERT_EQ(api<T>::motion_size(&size, &motion, nullptr), MW_OK);
         const void *const arrays[] = {motion.controls, motion.knots, motion.base, motion.weights};
         const std::size_t bytes[] = {6 * sizeof(T[8]), 7 * sizeof(T), sizeof(T[8]), 6 * sizeof(T)};
         for (bool before : {false, true}) {
@@ -353,12 +353,12 @@ TYPED_TEST(MotionErrorTest, memory_that_overlaps_the_description)
             unsigned char *const array = before ? block + sizeof(T) - bytes[which] : block + size - sizeof(T);
             std::memcpy(array, arrays[which], bytes[which]);
             auto *const numbers = reinterpret_cast<T *>(array);
-            auto *const motors = reinterpret_cast<typename Api<T>::Motor *>(array);
+            auto *const motors = reinterpret_cast<typename api<T>::motor *>(array);
             which == 0 ? motion.controls = motors : which == 2 ? motion.base = motors : nullptr;
             which == 1 ? motion.knots = numbers : which == 3 ? motion.weights = numbers : nullptr;
             const auto untouched = memory;
-            const typename Api<T>::CompiledMotion *compiled = nullptr;
-            EXPECT_EQ(Api<T>::compile_motion(&compiled, block, size, &motion, MW_DEFAULT, nullptr), MW_ERROR_OVERLAP)
+            const typename api<T>::compiled_motion *compiled = nullptr;
+            EXPECT_EQ(api<T>::compile_motion(&compiled, block, size, &motion, MW_DEFAULT, nullptr), MW_ERROR_OVERLAP)
                 << "array " << which << (before ? " before" : " behind");
             EXPECT_TRUE(memory == untouched);
         }

@@ -17,8 +17,8 @@ namespace {
 template <class T>
 class MotionFuzzTest : public ::testing::Test {
 protected:
-    using Motion = typename Api<T>::Motion;
-    using Motor = typename Api<T>::Motor;
+    using Motion = typename api<T>::motion;
+    using Motor = typename api<T>::motor;
 
     // Any number that is none, or huge, or tiny, and now and then one that is sound.
     static T strange_number(Random &random)
@@ -62,13 +62,13 @@ TYPED_TEST_SUITE(MotionFuzzTest, Precisions, PrecisionName);
 TYPED_TEST(MotionFuzzTest, descriptions)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     Random random(151);
     GuardedBuffer controls(65536), knots(65536), weights(65536), bases(4096), memory(1 << 20);
     std::size_t sound = 0, refused = 0;
     for (int repetition = 0; repetition < 2000; ++repetition) {
         const Guard guard = random.chance(2) ? Guard::after : Guard::before;
-        typename A::Motion motion{};
+        typename A::motion motion{};
         motion.kind = static_cast<mw_motion_kind>(1 + random.below(random.chance(10) ? 7 : 5));
         motion.degree = static_cast<unsigned>(random.chance(8) ? random.below(40) : 1 + random.below(4));
         motion.control_count = random.chance(8) ? random.below(3) : motion.degree + 1 + random.below(6);
@@ -104,7 +104,7 @@ TYPED_TEST(MotionFuzzTest, descriptions)
 
         std::size_t size = 0, where = 1u << 30;
         mw_status status = A::motion_size(&size, &motion, &where);
-        const typename A::CompiledMotion *compiled = nullptr;
+        const typename A::compiled_motion *compiled = nullptr;
         if (status == MW_OK) {
             ASSERT_LE(size, std::size_t(1) << 20);
             void *const block = memory.place((size + 7) / 8 * 8, guard);
@@ -142,16 +142,16 @@ TYPED_TEST(MotionFuzzTest, descriptions)
 TYPED_TEST(MotionFuzzTest, counts)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     Random random(152);
     GuardedBuffer controls(4096), knots(4096), weights(4096);
     const std::vector<T> numbers(8 * 6, T(1));
     for (int repetition = 0; repetition < 3000; ++repetition) {
         const auto nonsense = [&]() -> std::size_t { return random.bits() >> random.below(20); };
-        typename A::Motion motion{};
+        typename A::motion motion{};
         motion.kind = all_motion_kinds[random.below(5)];
         motion.degree = 3;
-        motion.controls = reinterpret_cast<const typename A::Motor *>(controls.place_copy(numbers.data(), 48,
+        motion.controls = reinterpret_cast<const typename A::motor *>(controls.place_copy(numbers.data(), 48,
                                                                                           Guard::after));
         motion.control_count = random.chance(2) ? 6 : nonsense();
         const T some_knots[] = {0, 0, 0, 1, 2, 3, 3, 3};
@@ -176,11 +176,11 @@ TYPED_TEST(MotionFuzzTest, compiled_memory)
     for (int repetition = 0; repetition < 1000; ++repetition) {
         for (auto &word : garbage)
             word = random.bits();
-        const auto *motion = reinterpret_cast<const typename Api<T>::CompiledMotion *>(garbage.data());
+        const auto *motion = reinterpret_cast<const typename api<T>::compiled_motion *>(garbage.data());
         T domain[2] = {7, 7}, pose[8] = {7};
         const T at = 0;
-        EXPECT_EQ(Api<T>::motion_domain(domain, motion), MW_ERROR_MOTION);
-        EXPECT_EQ(Api<T>::sample_motion_one(packed_motors(pose), motion, 0, &at, 1, MW_DEFAULT), MW_ERROR_MOTION);
+        EXPECT_EQ(api<T>::motion_domain(domain, motion), MW_ERROR_MOTION);
+        EXPECT_EQ(api<T>::sample_motion_one(packed_motors(pose), motion, 0, &at, 1, MW_DEFAULT), MW_ERROR_MOTION);
         EXPECT_EQ(domain[0], T(7));
         EXPECT_EQ(pose[0], T(7));
     }

@@ -21,7 +21,7 @@ constexpr mw_motion_kind kinds[] = {MW_MOTION_ADDITIVE, MW_MOTION_CUMULATIVE};
 
 template <class T>
 struct Keys {
-    std::vector<typename Api<T>::Motor> poses;
+    std::vector<typename api<T>::motor> poses;
     std::vector<T> times;
 
     std::size_t count() const { return poses.size(); }
@@ -69,7 +69,7 @@ Keys<T> smooth_keys(Random &random, std::size_t count, double uneven = 3)
 template <class T>
 class Interpolation {
 public:
-    using A = Api<T>;
+    using A = api<T>;
 
     Interpolation(mw_motion_kind kind, std::size_t degree, const Keys<T> &keys, Guard guard = Guard::after)
         : kind_(kind), degree_(static_cast<unsigned>(degree)), keys_(keys), size_(ask()), memory_(size_),
@@ -105,7 +105,7 @@ public:
 
     bool is_untouched()
     {
-        const typename A::Motion none{};
+        const typename A::motion none{};
         return room_.is_untouched() && std::memcmp(&out_, &none, sizeof none) == 0;
     }
 
@@ -126,7 +126,7 @@ private:
     GuardedBuffer memory_;
     Room<T> room_;
     Guard guard_;
-    typename A::Motion out_{};
+    typename A::motion out_{};
 };
 
 template <class T>
@@ -155,7 +155,7 @@ struct Sizes {
 
 // In epsilons of these sizes, how far a sample is from the key, normalised, that it must be: of either sign.
 template <class T>
-long double miss(const reference::DualQuaternion &sample, const typename Api<T>::Motor &key, const Sizes<T> &sizes)
+long double miss(const reference::DualQuaternion &sample, const typename api<T>::motor &key, const Sizes<T> &sizes)
 {
     const reference::DualQuaternion exact = normalize(exact_pose(&key.s));
     const long double sign = dot_of_rotations(sample, exact) < 0 ? -1 : 1;
@@ -461,11 +461,11 @@ TYPED_TEST(MotionInterpolateTest, works_in_place)
         auto poses = keys.poses;
         auto times = keys.times;
         times.resize(12);
-        typename Api<T>::Motion out{};
+        typename api<T>::motion out{};
         std::size_t size = 0;
-        ASSERT_EQ(Api<T>::interpolate_keys(&out, {}, kind, 3, nullptr, nullptr, 10, nullptr, &size, nullptr), MW_OK);
+        ASSERT_EQ(api<T>::interpolate_keys(&out, {}, kind, 3, nullptr, nullptr, 10, nullptr, &size, nullptr), MW_OK);
         std::vector<std::uint64_t> memory(size / 8);
-        ASSERT_EQ(Api<T>::interpolate_keys(&out, {poses.data(), 10, times.data(), 12}, kind, 3, poses.data(),
+        ASSERT_EQ(api<T>::interpolate_keys(&out, {poses.data(), 10, times.data(), 12}, kind, 3, poses.data(),
                                            times.data(), 10, memory.data(), &size, nullptr),
                   MW_OK);
         EXPECT_EQ(times, expected.knots);
@@ -477,7 +477,7 @@ TYPED_TEST(MotionInterpolateTest, works_in_place)
 template <class T>
 class Call {
 public:
-    using A = Api<T>;
+    using A = api<T>;
     static constexpr std::size_t no_place = 12345;
 
     Call() : room(20, 20)
@@ -514,17 +514,17 @@ public:
 
     bool is_untouched()
     {
-        const typename A::Motion none{};
+        const typename A::motion none{};
         return room.is_untouched() && std::memcmp(&result, &none, sizeof none) == 0;
     }
 
     Keys<T> keys;
     Room<T> room;
-    typename A::MotionArrays arrays;
-    typename A::Motion result{}, *out = &result;
+    typename A::motion_arrays arrays;
+    typename A::motion result{}, *out = &result;
     mw_motion_kind kind = MW_MOTION_CUMULATIVE;
     unsigned degree = 3;
-    const typename A::Motor *poses;
+    const typename A::motor *poses;
     const T *times;
     std::size_t count = 10, size = 0, *size_pointer = &size, where = no_place;
     std::vector<std::uint64_t> storage;
@@ -534,7 +534,7 @@ public:
 TYPED_TEST(MotionInterpolateTest, errors)
 {
     using T = TypeParam;
-    using Motor = typename Api<T>::Motor;
+    using Motor = typename api<T>::motor;
     const auto expect = [](mw_status status, const char *what, void (*spoil)(Call<T> &), std::size_t where = 0) {
         for (mw_motion_kind kind : kinds) {
             Call<T> call;
@@ -612,7 +612,7 @@ TYPED_TEST(MotionInterpolateTest, keys_that_no_motion_meets_are_refused)
 TYPED_TEST(MotionInterpolateTest, sizes_are_told_without_keys)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     std::size_t size = 0;
     for (mw_motion_kind kind : kinds) {
         EXPECT_EQ(A::interpolate_keys(nullptr, {}, kind, 3, nullptr, nullptr, 3, nullptr, &size, nullptr),

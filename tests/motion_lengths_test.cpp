@@ -112,11 +112,11 @@ std::vector<long double> exact_lengths(const reference::Motion &motion, std::vec
 // ---------------------------------------------------------------------------------------------------------- motions
 
 template <class T>
-typename Api<T>::Motor translation(T x, T y, T z)
+typename api<T>::motor translation(T x, T y, T z)
 {
     const T offset[] = {x, y, z};
-    typename Api<T>::Motor motor{};
-    EXPECT_EQ(Api<T>::translation(&motor, offset), MW_OK);
+    typename api<T>::motor motor{};
+    EXPECT_EQ(api<T>::translation(&motor, offset), MW_OK);
     return motor;
 }
 
@@ -139,7 +139,7 @@ MotionData<T> screw_about_z(long double angle, long double distance)
     MotionData<T> data;
     data.kind = MW_MOTION_MULTIPLICATIVE;
     const Screw screw{{Real(0), Real(0), Real(1)}, {}, angle / 2, distance / 2};
-    typename Api<T>::Motor end{};
+    typename api<T>::motor end{};
     round_to(motor_of(screw), &end.s);
     data.controls = {translation<T>(0, 0, 0), end};
     return data;
@@ -150,7 +150,7 @@ std::vector<T> lengths_of(const CompiledMotion<T> &motion, const Point<T> &point
                           std::size_t index = 0)
 {
     std::vector<T> lengths(parameters.size());
-    const mw_status status = Api<T>::motion_lengths(lengths.data(), motion.get(), index, point.data(),
+    const mw_status status = api<T>::motion_lengths(lengths.data(), motion.get(), index, point.data(),
                                                     parameters.data(), parameters.size());
     EXPECT_EQ(status, MW_OK) << mw_status_text(status);
     return lengths;
@@ -168,7 +168,7 @@ std::vector<T> even_parameters_of(const CompiledMotion<T> &motion, const Point<T
 {
     std::vector<T> parameters(count);
     const mw_status status =
-        Api<T>::motion_even_parameters(parameters.data(), motion.get(), index, point.data(), count);
+        api<T>::motion_even_parameters(parameters.data(), motion.get(), index, point.data(), count);
     EXPECT_EQ(status, MW_OK) << mw_status_text(status);
     return parameters;
 }
@@ -219,7 +219,7 @@ TYPED_TEST(MotionLengthsTest, a_velocity_is_the_difference_of_places)
             component = static_cast<T>(random.uniform(-2, 2));
         for (T &component : place)
             component = static_cast<T>(random.uniform(-5, 5));
-        ASSERT_EQ(Api<T>::twist_velocity(velocity, twist, place.data()), MW_OK);
+        ASSERT_EQ(api<T>::twist_velocity(velocity, twist, place.data()), MW_OK);
         const auto image = [&](const Real &time) {
             return reference::apply_point(reference::exp(reference::multiple(time, exact_bivector(twist))),
                                           exact_vector(place.data()));
@@ -239,7 +239,7 @@ TYPED_TEST(MotionLengthsTest, a_velocity_by_numbers)
     // One turn of 2 a second from e1 to e2, and 6 along e3. What is on e1 moves along e2; and in place.
     const T twist[6] = {1, 0, 0, 0, 0, 3};
     T place[3] = {5, 0, 0};
-    ASSERT_EQ(Api<T>::twist_velocity(place, twist, place), MW_OK);
+    ASSERT_EQ(api<T>::twist_velocity(place, twist, place), MW_OK);
     EXPECT_EQ(place[0], T(0));
     EXPECT_EQ(place[1], T(10));
     EXPECT_EQ(place[2], T(6));
@@ -250,9 +250,9 @@ TYPED_TEST(MotionLengthsTest, a_velocity_of_nothing)
     using T = TypeParam;
     const T twist[6] = {1, 2, 3, 4, 5, 6}, place[3] = {7, 8, 9};
     T velocity[3] = {10, 11, 12};
-    EXPECT_EQ(Api<T>::twist_velocity(nullptr, twist, place), MW_ERROR_NULL);
-    EXPECT_EQ(Api<T>::twist_velocity(velocity, nullptr, place), MW_ERROR_NULL);
-    EXPECT_EQ(Api<T>::twist_velocity(velocity, twist, nullptr), MW_ERROR_NULL);
+    EXPECT_EQ(api<T>::twist_velocity(nullptr, twist, place), MW_ERROR_NULL);
+    EXPECT_EQ(api<T>::twist_velocity(velocity, nullptr, place), MW_ERROR_NULL);
+    EXPECT_EQ(api<T>::twist_velocity(velocity, twist, nullptr), MW_ERROR_NULL);
     EXPECT_EQ(velocity[0], T(10));
     EXPECT_EQ(velocity[1], T(11));
     EXPECT_EQ(velocity[2], T(12));
@@ -279,7 +279,7 @@ TYPED_TEST(MotionLengthsTest, the_velocity_of_a_point_of_a_motion)
             T velocity[3], place[3];
             for (std::size_t k = 0; k < 3; ++k)
                 place[k] = static_cast<T>(places[i][k]);
-            ASSERT_EQ(Api<T>::twist_velocity(velocity, &samples.twists[6 * i], place), MW_OK);
+            ASSERT_EQ(api<T>::twist_velocity(velocity, &samples.twists[6 * i], place), MW_OK);
             for (std::size_t k = 0; k < 3; ++k)  // the difference is good to the square of the moment
                 EXPECT_NEAR(static_cast<double>(velocity[k]),
                             static_cast<double>((after[k] - before[k]) / (2 * moment)),
@@ -510,7 +510,7 @@ TYPED_TEST(MotionLengthsTest, do_not_depend_on_one_another)
         EXPECT_TRUE(same_bits(lengths_of(motion, point, from),
                               {together.begin() + static_cast<std::ptrdiff_t>(i), together.end()}));
     }
-    ASSERT_EQ(Api<T>::motion_lengths(parameters.data(), motion.get(), 0, point.data(), parameters.data(),
+    ASSERT_EQ(api<T>::motion_lengths(parameters.data(), motion.get(), 0, point.data(), parameters.data(),
                                      parameters.size()),
               MW_OK);
     EXPECT_TRUE(same_bits(parameters, together));
@@ -671,14 +671,14 @@ TYPED_TEST(MotionLengthsTest, errors_of_lengths)
     using Other = OtherPrecision<T>;
     const CompiledMotion<T> motion(curve<T>({{0, 0, 0}, {1, 0, 0}}));
     const CompiledMotion<Other> other(curve<Other>({{0, 0, 0}, {1, 0, 0}}));
-    const auto *of_other = reinterpret_cast<const typename Api<T>::CompiledMotion *>(other.get());
+    const auto *of_other = reinterpret_cast<const typename api<T>::compiled_motion *>(other.get());
     std::vector<T> out(12, T(-3));
     T *const lengths = out.data(), *const point = out.data() + 4, *const parameters = out.data() + 8;
     const std::vector<T> good = {0, T(0.25), T(0.5), 1};
     std::copy(good.begin(), good.end(), parameters);
-    const auto fails = [&](mw_status status, T *to, const typename Api<T>::CompiledMotion *of, std::size_t index,
+    const auto fails = [&](mw_status status, T *to, const typename api<T>::compiled_motion *of, std::size_t index,
                            const T *place, const T *at, std::size_t count) {
-        expect_error(status, out, [&] { return Api<T>::motion_lengths(to, of, index, place, at, count); });
+        expect_error(status, out, [&] { return api<T>::motion_lengths(to, of, index, place, at, count); });
     };
     fails(MW_OK, nullptr, nullptr, 7, nullptr, nullptr, 0);
     fails(MW_ERROR_NULL, nullptr, motion.get(), 0, point, parameters, 4);
@@ -687,7 +687,7 @@ TYPED_TEST(MotionLengthsTest, errors_of_lengths)
     fails(MW_ERROR_NULL, lengths, motion.get(), 0, point, nullptr, 4);
     fails(MW_ERROR_MOTION, lengths, of_other, 0, point, parameters, 4);
     const std::vector<std::uint64_t> zeros(64);
-    fails(MW_ERROR_MOTION, lengths, reinterpret_cast<const typename Api<T>::CompiledMotion *>(zeros.data()), 0, point,
+    fails(MW_ERROR_MOTION, lengths, reinterpret_cast<const typename api<T>::compiled_motion *>(zeros.data()), 0, point,
           parameters, 4);
     fails(MW_ERROR_MOTION_INDEX, lengths, motion.get(), 1, point, parameters, 4);
     fails(MW_ERROR_OVERLAP, parameters - 1, motion.get(), 0, point, parameters, 4);
@@ -709,12 +709,12 @@ TYPED_TEST(MotionLengthsTest, errors_of_even_parameters)
     using Other = OtherPrecision<T>;
     const CompiledMotion<T> motion(curve<T>({{0, 0, 0}, {1, 0, 0}}));
     const CompiledMotion<Other> other(curve<Other>({{0, 0, 0}, {1, 0, 0}}));
-    const auto *of_other = reinterpret_cast<const typename Api<T>::CompiledMotion *>(other.get());
+    const auto *of_other = reinterpret_cast<const typename api<T>::compiled_motion *>(other.get());
     std::vector<T> out(8, T(-3));
     T *const parameters = out.data(), *const point = out.data() + 4;
-    const auto fails = [&](mw_status status, T *to, const typename Api<T>::CompiledMotion *of, std::size_t index,
+    const auto fails = [&](mw_status status, T *to, const typename api<T>::compiled_motion *of, std::size_t index,
                            const T *place, std::size_t count) {
-        expect_error(status, out, [&] { return Api<T>::motion_even_parameters(to, of, index, place, count); });
+        expect_error(status, out, [&] { return api<T>::motion_even_parameters(to, of, index, place, count); });
     };
     fails(MW_OK, nullptr, nullptr, 7, nullptr, 0);
     fails(MW_ERROR_NULL, nullptr, motion.get(), 0, point, 4);
@@ -735,12 +735,12 @@ TYPED_TEST(MotionLengthsTest, results_inside_the_motion)
     std::vector<std::uint64_t> copy(motion.size() / 8 + 1);
     std::memcpy(copy.data(), motion.get(), motion.size());
     const std::vector<std::uint64_t> before = copy;
-    const auto *moved = reinterpret_cast<const typename Api<T>::CompiledMotion *>(copy.data());
+    const auto *moved = reinterpret_cast<const typename api<T>::compiled_motion *>(copy.data());
     T *const inside = reinterpret_cast<T *>(copy.data()) + motion.size() / sizeof(T) - 1;
     const Point<T> point = {};
     const T parameter = 1;
-    EXPECT_EQ(Api<T>::motion_lengths(inside, moved, 0, point.data(), &parameter, 1), MW_ERROR_OVERLAP);
-    EXPECT_EQ(Api<T>::motion_even_parameters(inside, moved, 0, point.data(), 1), MW_ERROR_OVERLAP);
+    EXPECT_EQ(api<T>::motion_lengths(inside, moved, 0, point.data(), &parameter, 1), MW_ERROR_OVERLAP);
+    EXPECT_EQ(api<T>::motion_even_parameters(inside, moved, 0, point.data(), 1), MW_ERROR_OVERLAP);
     EXPECT_EQ(copy, before);
 }
 

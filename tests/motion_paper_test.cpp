@@ -20,8 +20,8 @@ constexpr double pi = 3.14159265358979323846;
 template <class T>
 class MotionPaperTest : public ::testing::Test {
 protected:
-    using A = Api<T>;
-    using Motor = typename A::Motor;
+    using A = api<T>;
+    using Motor = typename A::motor;
 
     static Motor rotation(std::initializer_list<T> axis, double angle)
     {

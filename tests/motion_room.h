@@ -14,7 +14,7 @@ namespace motorway::testing {
 template <class T>
 class Room {
 public:
-    using Motor = typename Api<T>::Motor;
+    using Motor = typename api<T>::motor;
 
     Room(std::size_t controls, std::size_t knots, Guard guard = Guard::after)
         : control_memory_(controls * sizeof(Motor)), knot_memory_(knots * sizeof(T)),
@@ -24,7 +24,7 @@ public:
         std::memset(control_memory_.begin(), pattern, control_bytes());
         std::memset(knot_memory_.begin(), pattern, knot_bytes());
     }
-    explicit Room(const typename Api<T>::Motion &asked, Guard guard = Guard::after)
+    explicit Room(const typename api<T>::motion &asked, Guard guard = Guard::after)
         : Room(asked.control_count, asked.knot_count, guard)
     {
     }
@@ -55,7 +55,7 @@ private:
     GuardedBuffer control_memory_, knot_memory_;
 
 public:
-    const typename Api<T>::MotionArrays arrays;
+    const typename api<T>::motion_arrays arrays;
 };
 
 }  // namespace motorway::testing

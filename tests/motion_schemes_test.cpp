@@ -14,8 +14,8 @@ namespace {
 template <class T>
 class MotionSchemesTest : public ::testing::Test {
 protected:
-    using A = Api<T>;
-    using Pose = typename A::Motor;
+    using A = api<T>;
+    using Pose = typename A::motor;
 
     static std::vector<Pose> normalized(std::vector<Pose> poses)
     {
@@ -105,7 +105,7 @@ TYPED_TEST(MotionSchemesTest, additive_linear_is_equation_5)
     const std::vector<T> of_unit = sampled(CompiledMotion<T>(unit), parameters);
     std::memcpy(static_cast<void *>(samples.data()), of_unit.data(), of_unit.size() * sizeof(T));
     samples = this->normalized(samples);
-    EXPECT_EQ(Api<T>::nlerp_motor_one(Api<T>::motors_aos(expected.data(), sizeof(Motor)), &unit.controls[0],
+    EXPECT_EQ(api<T>::nlerp_motor_one(api<T>::motors_aos(expected.data(), sizeof(Motor)), &unit.controls[0],
                                       &unit.controls[1], parameters.data(), sizeof(T), parameters.size(), MW_DEFAULT),
               MW_OK);
     for (std::size_t i = 0; i < parameters.size(); ++i)
@@ -207,13 +207,13 @@ TYPED_TEST(MotionSchemesTest, many_motions)
                 parameters.push_back(static_cast<T>(random.uniform(together.first(), together.last())));
             const std::size_t count = motions - skipped;
             std::vector<T> each(8 * count), shared(8 * count), poses(8 * count), twists(6 * count);
-            EXPECT_EQ(Api<T>::sample_motion_each(packed_motors(each.data()), together.get(), skipped,
+            EXPECT_EQ(api<T>::sample_motion_each(packed_motors(each.data()), together.get(), skipped,
                                                  parameters.data(), sizeof(T), count, MW_DEFAULT),
                       MW_OK);
-            EXPECT_EQ(Api<T>::sample_motion_each(packed_motors(shared.data()), together.get(), skipped,
+            EXPECT_EQ(api<T>::sample_motion_each(packed_motors(shared.data()), together.get(), skipped,
                                                  &parameters[3], 0, count, MW_DEFAULT),
                       MW_OK);
-            EXPECT_EQ(Api<T>::sample_motion_twist_each(packed_motors(poses.data()), packed_bivectors(twists.data()),
+            EXPECT_EQ(api<T>::sample_motion_twist_each(packed_motors(poses.data()), packed_bivectors(twists.data()),
                                                        together.get(), skipped, parameters.data(), sizeof(T), count,
                                                        MW_DEFAULT),
                       MW_OK);
@@ -245,7 +245,7 @@ TYPED_TEST(MotionSchemesTest, strides_of_parameters)
             parameters.push_back(static_cast<T>(random.uniform(motion.first(), motion.last())));
         const auto samples_at = [&](const void *first, std::size_t stride) {
             std::vector<T> out(8 * 300);
-            EXPECT_EQ(Api<T>::sample_motion_each(packed_motors(out.data()), motion.get(), 0,
+            EXPECT_EQ(api<T>::sample_motion_each(packed_motors(out.data()), motion.get(), 0,
                                                  static_cast<const T *>(first), stride, 300, MW_DEFAULT),
                       MW_OK);
             return out;

@@ -17,7 +17,7 @@ constexpr double pi = 3.14159265358979323846;
 template <class T>
 class MotionSignsTest : public ::testing::Test {
 protected:
-    using Pose = typename Api<T>::Motor;
+    using Pose = typename api<T>::motor;
 
     static void negate(Pose &pose)
     {
@@ -49,9 +49,9 @@ protected:
         const auto motion = data.view();
         std::vector<std::uint64_t> memory(2000, 7);
         const auto before = memory;
-        const typename Api<T>::CompiledMotion *compiled = nullptr;
+        const typename api<T>::compiled_motion *compiled = nullptr;
         std::size_t got = 1234;
-        EXPECT_EQ(Api<T>::compile_motion(&compiled, memory.data(), 8 * memory.size(), &motion, flags, &got),
+        EXPECT_EQ(api<T>::compile_motion(&compiled, memory.data(), 8 * memory.size(), &motion, flags, &got),
                   MW_ERROR_VANISHING)
             << data.name();
         EXPECT_EQ(got, where) << data.name();
@@ -289,8 +289,8 @@ TYPED_TEST(MotionSignsTest, vanishing_is_not_found_wrongly)
                 this->negate(control);
         const auto motion = data.view();
         std::vector<std::uint64_t> memory(10000);
-        const typename Api<T>::CompiledMotion *compiled = nullptr;
-        const mw_status status = Api<T>::compile_motion(&compiled, memory.data(), 8 * memory.size(), &motion,
+        const typename api<T>::compiled_motion *compiled = nullptr;
+        const mw_status status = api<T>::compile_motion(&compiled, memory.data(), 8 * memory.size(), &motion,
                                                         MW_KEEP_SIGNS, nullptr);
         const reference::Motion exact = data.exact(0, MW_KEEP_SIGNS);
         long double least = 1;

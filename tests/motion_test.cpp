@@ -108,7 +108,7 @@ TYPED_TEST(MotionTest, every_kind_and_degree_with_knots_of_all_sorts)
 TYPED_TEST(MotionTest, every_byte_is_written)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     Random random(54);
     for (mw_motion_kind kind : all_motion_kinds)
         for (std::size_t degree : {1, 2, 3, 7})
@@ -121,7 +121,7 @@ TYPED_TEST(MotionTest, every_byte_is_written)
                 for (const int before : {0, 1}) {
                     memory[before].resize((size + 7) / 8);
                     std::memset(memory[before].data(), before ? 0xa5 : 0x5a, size);
-                    const typename A::CompiledMotion *compiled;
+                    const typename A::compiled_motion *compiled;
                     ASSERT_EQ(A::compile_motion(&compiled, memory[before].data(), size, &description, MW_DEFAULT,
                                                 nullptr),
                               MW_OK);

@@ -42,9 +42,9 @@ reference::DualQuaternion exact_pose(const T *motor)
 }
 
 template <class T>
-typename Api<T>::Motor rounded_pose(const reference::DualQuaternion &pose)
+typename api<T>::motor rounded_pose(const reference::DualQuaternion &pose)
 {
-    typename Api<T>::Motor motor;
+    typename api<T>::motor motor;
     const auto numbers = reference::motor_numbers(pose);
     std::transform(numbers.begin(), numbers.end(), &motor.s, [](long double x) { return static_cast<T>(x); });
     return motor;
@@ -54,17 +54,17 @@ template <class T>
 struct MotionData {
     mw_motion_kind kind = MW_MOTION_ADDITIVE;
     std::size_t degree = 1;
-    std::vector<typename Api<T>::Motor> controls;  // of all motions
+    std::vector<typename api<T>::motor> controls;  // of all motions
     std::vector<T> knots, weights;
     bool closed = false;
-    std::vector<typename Api<T>::Motor> base;  // one or none
+    std::vector<typename api<T>::motor> base;  // one or none
     std::size_t motion_count = 1;
 
     std::size_t control_count() const { return controls.size() / motion_count; }
 
-    typename Api<T>::Motion view() const
+    typename api<T>::motion view() const
     {
-        typename Api<T>::Motion motion{};
+        typename api<T>::motion motion{};
         motion.kind = kind;
         motion.degree = static_cast<unsigned>(degree);
         motion.controls = controls.data();
@@ -97,7 +97,7 @@ struct MotionData {
 
     std::string name() const
     {
-        return std::string(name_of(kind)) + " " + Api<T>::name + ", degree " + std::to_string(degree) + ", " +
+        return std::string(name_of(kind)) + " " + api<T>::name + ", degree " + std::to_string(degree) + ", " +
                std::to_string(control_count()) + " controls" + (knots.empty() ? "" : ", knots") +
                (weights.empty() ? "" : ", weights") + (closed ? ", closed" : "");
     }
@@ -110,15 +110,15 @@ public:
     {
         const auto motion = data.view();
         std::size_t size = 0, where = 0;
-        EXPECT_EQ(Api<T>::motion_size(&size, &motion, &where), MW_OK) << data.name();
+        EXPECT_EQ(api<T>::motion_size(&size, &motion, &where), MW_OK) << data.name();
         memory_.resize((size + 7) / 8);
-        const mw_status status = Api<T>::compile_motion(&motion_, memory_.data(), size, &motion, flags, &where);
+        const mw_status status = api<T>::compile_motion(&motion_, memory_.data(), size, &motion, flags, &where);
         EXPECT_EQ(status, MW_OK) << data.name() << ": " << mw_status_text(status) << " (" << where << ")";
         size_ = size;
     }
     CompiledMotion(const CompiledMotion &) = delete;
 
-    const typename Api<T>::CompiledMotion *get() const { return motion_; }
+    const typename api<T>::compiled_motion *get() const { return motion_; }
     std::size_t size() const { return size_; }
 
     T first() const { return domain(0); }
@@ -128,23 +128,23 @@ private:
     T domain(int end) const
     {
         T domain[2] = {};
-        EXPECT_EQ(Api<T>::motion_domain(domain, motion_), MW_OK);
+        EXPECT_EQ(api<T>::motion_domain(domain, motion_), MW_OK);
         return domain[end];
     }
 
     std::vector<std::uint64_t> memory_;
     std::size_t size_ = 0;
-    const typename Api<T>::CompiledMotion *motion_ = nullptr;
+    const typename api<T>::compiled_motion *motion_ = nullptr;
 };
 
 template <class T>
-typename Api<T>::Motors packed_motors(T *numbers)
+typename api<T>::motors packed_motors(T *numbers)
 {
-    return Api<T>::motors_aos(reinterpret_cast<typename Api<T>::Motor *>(numbers), sizeof(T[8]));
+    return api<T>::motors_aos(reinterpret_cast<typename api<T>::motor *>(numbers), sizeof(T[8]));
 }
 
 template <class T>
-typename Api<T>::Bivectors packed_bivectors(T *b)
+typename api<T>::bivectors packed_bivectors(T *b)
 {
     return {b, b + 1, b + 2, b + 3, b + 4, b + 5, sizeof(T[6])};
 }
@@ -155,7 +155,7 @@ std::vector<T> sampled(const CompiledMotion<T> &motion, const std::vector<T> &pa
                        std::size_t index = 0)
 {
     std::vector<T> out(8 * parameters.size());
-    const mw_status status = Api<T>::sample_motion_one(packed_motors(out.data()), motion.get(), index,
+    const mw_status status = api<T>::sample_motion_one(packed_motors(out.data()), motion.get(), index,
                                                        parameters.data(), parameters.size(), flags);
     EXPECT_EQ(status, MW_OK) << mw_status_text(status);
     return out;
@@ -171,7 +171,7 @@ Twists<T> twisted(const CompiledMotion<T> &motion, const std::vector<T> &paramet
                   std::size_t index = 0)
 {
     Twists<T> out{std::vector<T>(8 * parameters.size()), std::vector<T>(6 * parameters.size())};
-    const mw_status status = Api<T>::sample_motion_twist_one(
+    const mw_status status = api<T>::sample_motion_twist_one(
         packed_motors(out.poses.data()), packed_bivectors(out.twists.data()), motion.get(), index, parameters.data(),
         parameters.size(), flags);
     EXPECT_EQ(status, MW_OK) << mw_status_text(status);

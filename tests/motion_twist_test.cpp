@@ -176,7 +176,7 @@ TYPED_TEST(MotionTwistTest, velocities_of_points)
         const Twists<T> out = twisted(CompiledMotion<T>(data), {static_cast<T>(t)});
         const T where[3] = {static_cast<T>(place[0]), static_cast<T>(place[1]), static_cast<T>(place[2])};
         T velocity[3] = {};
-        EXPECT_EQ(Api<T>::twist_velocity(velocity, out.twists.data(), where), MW_OK);
+        EXPECT_EQ(api<T>::twist_velocity(velocity, out.twists.data(), where), MW_OK);
         for (std::size_t k = 0; k < 3; ++k)  // to the square of the step, times a third derivative
             EXPECT_LE(std::abs(velocity[k] - (after[k] - before[k]) / (2 * step)), 1e-5) << name_of(kind);
     }
@@ -188,7 +188,7 @@ TYPED_TEST(MotionTwistTest, velocity_by_numbers)
     using T = TypeParam;
     const T twist[6] = {3, -2, 1, 10, 20, 30}, place[3] = {5, 7, 11};  // ω = 2 (1, 2, 3)
     T velocity[3];
-    ASSERT_EQ(Api<T>::twist_velocity(velocity, twist, place), MW_OK);
+    ASSERT_EQ(api<T>::twist_velocity(velocity, twist, place), MW_OK);
     EXPECT_EQ(velocity[0], T(2 * (2 * 11 - 3 * 7 + 10)));
     EXPECT_EQ(velocity[1], T(2 * (3 * 5 - 1 * 11 + 20)));
     EXPECT_EQ(velocity[2], T(2 * (1 * 7 - 2 * 5 + 30)));

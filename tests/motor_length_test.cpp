@@ -20,7 +20,7 @@ namespace {
 template <class T>
 class MotorLengthTest : public ::testing::Test {
 protected:
-    using Motors = std::vector<typename Api<T>::Motor>;
+    using Motors = std::vector<typename api<T>::motor>;
 
     static constexpr std::size_t count = 37;
     // α = s² + ... of a motor of length 1 times 2^k is a normal number.
@@ -51,8 +51,8 @@ protected:
         return motors;
     }
 
-    static auto in(const Motors &motors) { return Api<T>::const_motors_aos(motors.data(), sizeof motors[0]); }
-    static auto out(Motors &motors) { return Api<T>::motors_aos(motors.data(), sizeof motors[0]); }
+    static auto in(const Motors &motors) { return api<T>::const_motors_aos(motors.data(), sizeof motors[0]); }
+    static auto out(Motors &motors) { return api<T>::motors_aos(motors.data(), sizeof motors[0]); }
 
     template <class Numbers>
     static bool same_bits(const Numbers &a, const Numbers &b)
@@ -84,7 +84,7 @@ TYPED_TEST_SUITE(MotorLengthTest, Precisions, PrecisionName);
 TYPED_TEST(MotorLengthTest, Apply)
 {
     using T = TypeParam;
-    using A = Api<T>;
+    using A = api<T>;
     Random random(2);
     std::vector<T> points;
     for (std::size_t k = 0; k < 3 * this->count; ++k)
@@ -128,8 +128,8 @@ TEST(MotorLength, AppliedToAMotorAsLong)
 TYPED_TEST(MotorLengthTest, TheGroup)
 {
     using T = TypeParam;
-    using A = Api<T>;
-    using Motor = typename A::Motor;
+    using A = api<T>;
+    using Motor = typename A::motor;
     this->expect_same("inverse", -1, [&](const auto &motors) {
         std::vector<Motor> result(motors.size());
         EXPECT_EQ(A::inverse_motor_each(this->out(result), this->in(motors), motors.size()), MW_OK);
@@ -164,14 +164,14 @@ TYPED_TEST(MotorLengthTest, TheGroup)
 TYPED_TEST(MotorLengthTest, Conversions)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
+    using C = api<T>;
     const auto positions_of = [](std::vector<T> &numbers, std::size_t size) {
-        return Api<T>::xyz_aos(numbers.data() + size - 3, size * sizeof(T));
+        return api<T>::xyz_aos(numbers.data() + size - 3, size * sizeof(T));
     };
     this->expect_same("motor to pose", 0, [&](const auto &motors) {
         std::vector<T> result(7 * motors.size());
         T *const q = result.data();
-        EXPECT_EQ(C::motor_to_pose({q, q + 1, q + 2, q + 3, 7 * sizeof(T)}, positions_of(result, 7), this->in(motors),
+        EXPECT_EQ(C::convert_motor_to_pose_each({q, q + 1, q + 2, q + 3, 7 * sizeof(T)}, positions_of(result, 7), this->in(motors),
                                    motors.size()),
                   MW_OK);
         return result;
@@ -179,7 +179,7 @@ TYPED_TEST(MotorLengthTest, Conversions)
     this->expect_same("motor to axis and angle", 0, [&](const auto &motors) {
         std::vector<T> result(7 * motors.size());
         T *const q = result.data();
-        EXPECT_EQ(C::motor_to_axis_angle({q, q + 1, q + 2, q + 3, 7 * sizeof(T)}, positions_of(result, 7),
+        EXPECT_EQ(C::convert_motor_to_axis_angle_each({q, q + 1, q + 2, q + 3, 7 * sizeof(T)}, positions_of(result, 7),
                                          this->in(motors), motors.size()),
                   MW_OK);
         return result;
@@ -187,7 +187,7 @@ TYPED_TEST(MotorLengthTest, Conversions)
     for (const mw_euler_order order : {MW_EULER_XYZ, MW_EULER_ZYZ})
         this->expect_same("motor to Euler angles", 0, [&](const auto &motors) {
             std::vector<T> result(6 * motors.size());
-            EXPECT_EQ(C::motor_to_euler(Api<T>::xyz_aos(result.data(), 6 * sizeof(T)), positions_of(result, 6),
+            EXPECT_EQ(C::convert_motor_to_euler_each(api<T>::xyz_aos(result.data(), 6 * sizeof(T)), positions_of(result, 6),
                                         this->in(motors), motors.size(), order),
                       MW_OK);
             return result;
@@ -195,18 +195,18 @@ TYPED_TEST(MotorLengthTest, Conversions)
     for (const mw_matrix_layout layout : all_matrix_layouts)
         this->expect_same("motor to matrix", 0, [&](const auto &motors) {
             std::vector<T> result(16 * motors.size());
-            EXPECT_EQ(C::motor_to_matrix({result.data(), 16 * sizeof(T), layout}, this->in(motors), motors.size()), MW_OK);
+            EXPECT_EQ(C::convert_motor_to_matrix_each({result.data(), 16 * sizeof(T), layout}, this->in(motors), motors.size()), MW_OK);
             return result;
         });
     this->expect_same("motor to translation", 0, [&](const auto &motors) {
         std::vector<T> result(3 * motors.size());
-        EXPECT_EQ(C::motor_to_translation(positions_of(result, 3), this->in(motors), motors.size()), MW_OK);
+        EXPECT_EQ(C::convert_motor_to_translation_each(positions_of(result, 3), this->in(motors), motors.size()), MW_OK);
         return result;
     });
     this->expect_same("motor to screw", 0, [&](const auto &motors) {
         std::vector<T> result(8 * motors.size());
         T *const q = result.data();
-        EXPECT_EQ(C::motor_to_screw({q, q + 1, q + 2, q + 3, q + 4, q + 5, q + 6, q + 7, 8 * sizeof(T)},
+        EXPECT_EQ(C::convert_motor_to_screw_each({q, q + 1, q + 2, q + 3, q + 4, q + 5, q + 6, q + 7, 8 * sizeof(T)},
                                     this->in(motors), motors.size()),
                   MW_OK);
         return result;

@@ -46,7 +46,7 @@ Expected expect_nlerp(Way way, const T *first, const T *second, T parameter)
 template <class T>
 Interpolation<T> nlerp(Way way)
 {
-    return {"nlerp", Api<T>::nlerp_motor_each, Api<T>::nlerp_motor_one, way, draw_nlerp_parameter<T>,
+    return {"nlerp", api<T>::nlerp_motor_each, api<T>::nlerp_motor_one, way, draw_nlerp_parameter<T>,
             expect_nlerp<T>};
 }
 

@@ -19,7 +19,7 @@ public:
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
-        return Api<T>::sqrt_motor_each(out.motors(), inputs[0].const_motors(), count);
+        return api<T>::sqrt_motor_each(out.motors(), inputs[0].const_motors(), count);
     }
 
     void draw(Random &random, T *const *inputs) const override { draw_unit_motor(random, inputs[0]); }
@@ -46,7 +46,7 @@ public:
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
-        return Api<T>::power_motor_each(out.motors(), inputs[0].const_motors(), inputs[1].component[0],
+        return api<T>::power_motor_each(out.motors(), inputs[0].const_motors(), inputs[1].component[0],
                                         inputs[1].stride, count);
     }
 

@@ -16,7 +16,7 @@ struct PrecisionName {
     template <class T>
     static std::string GetName(int)
     {
-        return Api<T>::name;
+        return api<T>::name;
     }
 };
 

@@ -19,17 +19,17 @@ template <class T>
 class PropertyTest : public ::testing::Test {
 protected:
     static constexpr std::size_t count = 333;
-    using Motor = typename Api<T>::Motor;
+    using Motor = typename api<T>::motor;
     using Vectors = std::vector<T>;       // x y z x y z ...
     using Motors = std::vector<T>;        // eight components each
 
     static auto out_motors(Motors &m)
     {
-        return Api<T>::motors_aos(reinterpret_cast<Motor *>(m.data()), sizeof(Motor));
+        return api<T>::motors_aos(reinterpret_cast<Motor *>(m.data()), sizeof(Motor));
     }
     static auto in_motors(const Motors &m)
     {
-        return Api<T>::const_motors_aos(reinterpret_cast<const Motor *>(m.data()), sizeof(Motor));
+        return api<T>::const_motors_aos(reinterpret_cast<const Motor *>(m.data()), sizeof(Motor));
     }
 
     // Of ordinary sizes, so that errors are small multiples of epsilon and the laws can be seen to hold.
@@ -52,8 +52,8 @@ protected:
     static Vectors moved(const Motors &motors, const Vectors &points, unsigned flags = MW_DEFAULT)
     {
         Vectors result(points.size());
-        EXPECT_EQ(Api<T>::apply_point_each(Api<T>::xyz_aos(result.data(), 3 * sizeof(T)), in_motors(motors),
-                                           Api<T>::const_xyz_aos(points.data(), 3 * sizeof(T)), count, flags),
+        EXPECT_EQ(api<T>::apply_point_each(api<T>::xyz_aos(result.data(), 3 * sizeof(T)), in_motors(motors),
+                                           api<T>::const_xyz_aos(points.data(), 3 * sizeof(T)), count, flags),
                   MW_OK);
         return result;
     }
@@ -61,21 +61,21 @@ protected:
     static Motors composed(const Motors &first, const Motors &then)
     {
         Motors result(first.size());
-        EXPECT_EQ(Api<T>::compose_motor_each(out_motors(result), in_motors(first), in_motors(then), count), MW_OK);
+        EXPECT_EQ(api<T>::compose_motor_each(out_motors(result), in_motors(first), in_motors(then), count), MW_OK);
         return result;
     }
 
     static Motors normalized(const Motors &motors)
     {
         Motors result(motors.size());
-        EXPECT_EQ(Api<T>::normalize_motor_each(out_motors(result), in_motors(motors), count), MW_OK);
+        EXPECT_EQ(api<T>::normalize_motor_each(out_motors(result), in_motors(motors), count), MW_OK);
         return result;
     }
 
     static Motors reversed(const Motors &motors)
     {
         Motors result(motors.size());
-        EXPECT_EQ(Api<T>::reverse_motor_each(out_motors(result), in_motors(motors), count), MW_OK);
+        EXPECT_EQ(api<T>::reverse_motor_each(out_motors(result), in_motors(motors), count), MW_OK);
         return result;
     }
 
@@ -190,7 +190,7 @@ TYPED_TEST(PropertyTest, out_may_be_both_factors_of_a_product)
     Random random(38);
     const auto motors = this->draw_motors(random, {Regime::general, Regime::arbitrary});
     auto square = motors;
-    ASSERT_EQ(Api<TypeParam>::compose_motor_each(this->out_motors(square), this->in_motors(square),
+    ASSERT_EQ(api<TypeParam>::compose_motor_each(this->out_motors(square), this->in_motors(square),
                                                  this->in_motors(square), this->count),
               MW_OK);
     EXPECT_EQ(square, this->composed(motors, motors));
@@ -261,8 +261,8 @@ TYPED_TEST(PropertyTest, a_blend_adds_its_terms_in_order)
         std::vector<const T *> columns;
         for (std::size_t k = 0; k < terms; ++k)
             columns.push_back(&weights[k * this->count]);
-        ASSERT_EQ(Api<T>::blend_motor_one(this->out_motors(result),
-                                          reinterpret_cast<const typename Api<T>::Motor *>(controls.data()),
+        ASSERT_EQ(api<T>::blend_motor_one(this->out_motors(result),
+                                          reinterpret_cast<const typename api<T>::motor *>(controls.data()),
                                           {columns.data(), sizeof(T)}, terms, this->count),
                   MW_OK);
         for (std::size_t i = 0; i < this->count; ++i)

@@ -29,7 +29,7 @@ public:
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
-        return Api<T>::ratio_motor_each(out.motors(), inputs[0].const_motors(), inputs[1].const_motors(), count,
+        return api<T>::ratio_motor_each(out.motors(), inputs[0].const_motors(), inputs[1].const_motors(), count,
                                         given_ == Given::unit ? MW_UNIT_MOTORS : MW_DEFAULT);
     }
 

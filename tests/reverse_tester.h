@@ -16,7 +16,7 @@ public:
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
-        return Api<T>::reverse_motor_each(out.motors(), inputs[0].const_motors(), count);
+        return api<T>::reverse_motor_each(out.motors(), inputs[0].const_motors(), count);
     }
 
     void draw(Random &random, T *const *inputs) const override

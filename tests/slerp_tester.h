@@ -63,8 +63,8 @@ T draw_parameter(Random &random, double below, double above)
 template <class T>
 struct Interpolation {
     std::string verb;
-    decltype(Api<T>::slerp_motor_each) each;
-    decltype(Api<T>::slerp_motor_one) one;
+    decltype(api<T>::slerp_motor_each) each;
+    decltype(api<T>::slerp_motor_one) one;
     Way way;
     T (*draw)(Random &random, Way way, const T *first, const T *second);
     Expected (*expect)(Way way, const T *first, const T *second, T parameter);
@@ -142,7 +142,7 @@ public:
 
     mw_status run(const View<T> &out, const std::vector<View<T>> &inputs, std::size_t count) const override
     {
-        using Motor = typename Api<T>::Motor;
+        using Motor = typename api<T>::motor;
         return function_.one(out.motors(), reinterpret_cast<const Motor *>(first_),
                              reinterpret_cast<const Motor *>(second_), inputs[0].component[0], inputs[0].stride,
                              count, function_.flags());
@@ -228,7 +228,7 @@ Expected expect_slerp(Way way, const T *first, const T *second, T parameter)
 template <class T>
 Interpolation<T> slerp(Way way)
 {
-    return {"slerp", Api<T>::slerp_motor_each, Api<T>::slerp_motor_one, way, draw_slerp_parameter<T>,
+    return {"slerp", api<T>::slerp_motor_each, api<T>::slerp_motor_one, way, draw_slerp_parameter<T>,
             expect_slerp<T>};
 }
 

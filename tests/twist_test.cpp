@@ -20,26 +20,26 @@ using reference::Real;
 template <class T>
 class TwistTest : public ::testing::Test {
 protected:
-    using Twist = typename ConvertApi<T>::Twist;
+    using Twist = typename api<T>::twist;
 
     static Twist split(const T *bivector)
     {
         Twist twist{};
-        EXPECT_EQ(ConvertApi<T>::split_bivector(&twist, bivector), MW_OK);
+        EXPECT_EQ(api<T>::split_bivector(&twist, bivector), MW_OK);
         return twist;
     }
 
     static std::array<T, 8> pose(const Twist &twist, T lambda)
     {
-        typename Api<T>::Motor motor{};
-        EXPECT_EQ(ConvertApi<T>::twist_pose(&motor, &twist, lambda), MW_OK);
+        typename api<T>::motor motor{};
+        EXPECT_EQ(api<T>::twist_pose(&motor, &twist, lambda), MW_OK);
         return {motor.s, motor.b12, motor.b13, motor.b23, motor.b1i, motor.b2i, motor.b3i, motor.w};
     }
 
     static std::array<T, 3> position(const Twist &twist, T lambda)
     {
         std::array<T, 3> result{};
-        EXPECT_EQ(ConvertApi<T>::twist_position(result.data(), &twist, lambda), MW_OK);
+        EXPECT_EQ(api<T>::twist_position(result.data(), &twist, lambda), MW_OK);
         return result;
     }
 
@@ -270,9 +270,9 @@ void expect_error(mw_status status, Call call)
 TYPED_TEST(TwistTest, null)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
+    using C = api<T>;
     using Parts = typename TestFixture::Twist;
-    using Motor = typename Api<T>::Motor;
+    using Motor = typename api<T>::motor;
     const T bivector[6] = {1, 2, 3, 4, 5, 6};
     const Parts twist{{0, 0, 1}, 1, {0, 0, 1}, {1, 0, 0}};
     EXPECT_EQ(C::split_bivector(nullptr, bivector), MW_ERROR_NULL);
@@ -286,9 +286,9 @@ TYPED_TEST(TwistTest, null)
 TYPED_TEST(TwistTest, numbers_that_are_not_finite)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
+    using C = api<T>;
     using Parts = typename TestFixture::Twist;
-    using Motor = typename Api<T>::Motor;
+    using Motor = typename api<T>::motor;
     const auto fails = [](const Parts &twist, T lambda) {
         expect_error<Motor>(MW_ERROR_AXIS, [&](Motor *out) { return C::twist_pose(out, &twist, lambda); });
         expect_error<T[3]>(MW_ERROR_AXIS, [&](T(*out)[3]) { return C::twist_position(*out, &twist, lambda); });
@@ -317,9 +317,9 @@ TYPED_TEST(TwistTest, numbers_that_are_not_finite)
 TYPED_TEST(TwistTest, an_axis_that_is_not_of_length_1)
 {
     using T = TypeParam;
-    using C = ConvertApi<T>;
+    using C = api<T>;
     using Parts = typename TestFixture::Twist;
-    using Motor = typename Api<T>::Motor;
+    using Motor = typename api<T>::motor;
     Parts twist{{0, 0, 1}, 1, {0, 0, 1}, {1, 0, 0}};
     for (double length : {0.0, 0.5, 1 - 0x1.1p-10, 1 + 0x1.1p-10, 2.0}) {
         twist.axis[2] = static_cast<T>(length);

@@ -1,4 +1,4 @@
-// What api.cpp and the kernels say to each other: plain data, no functions that a kernel calls, so that nothing of it
+// What the call layer and the kernels say to each other: plain data, no functions that a kernel calls, so that nothing of it
 // is linked twice.
 #pragma once
 

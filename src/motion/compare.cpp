@@ -50,7 +50,7 @@ template <class T> struct samples {
         for (std::size_t i = 0; i < count; ++i)
             parameters[i] = evenly_spaced(motion.begin(), motion.end(), begin + i, sample_count);
         motion_samples<T>(motion, motions_sampled::one, index, {parameters, sizeof(T)}, count, MW_DEFAULT)
-            .sample(view_of_motors<T>(packed(poses)));
+            .sample(view_of(packed(poses)));
     }
 };
 
@@ -76,9 +76,9 @@ std::size_t find_larger(const places<T> &first, const places<T> &second, std::si
 }
 
 template <class T, class Distance>
-mw_status compare(Distance *largest, const typename c_types<T>::compiled *first, std::size_t first_index,
-                  const typename c_types<T>::compiled *second, std::size_t second_index,
-                  const view<const T, 3> &points, std::size_t count, std::size_t sample_count)
+mw_status compare_motions(Distance *largest, const typename c_types<T>::compiled *first, std::size_t first_index,
+                          const typename c_types<T>::compiled *second, std::size_t second_index,
+                          const view<const T, 3> &points, std::size_t count, std::size_t sample_count)
 {
     if (!kernels())
         return MW_ERROR_ISA;
@@ -119,15 +119,4 @@ mw_status compare(Distance *largest, const typename c_types<T>::compiled *first,
 } // namespace motorway
 
 using namespace motorway;
-
-#define MOTORWAY_COMPARE(P, T)                                                                                        \
-    mw_status mw_compare_motions_##P(mw_motion_distance_##P *largest, const mw_compiled_motion_##P *first,            \
-                                     size_t first_index, const mw_compiled_motion_##P *second, size_t second_index,   \
-                                     mw_const_xyz_##P points, size_t count, size_t sample_count)                      \
-    {                                                                                                                 \
-        return compare<T>(largest, first, first_index, second, second_index, view_of_xyz<const T>(points), count,     \
-                          sample_count);                                                                              \
-    }
-
-MOTORWAY_COMPARE(f32, float)
-MOTORWAY_COMPARE(f64, double)
+#include "../../generated/calls/motion_compare.inc"

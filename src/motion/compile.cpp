@@ -383,18 +383,19 @@ template <class T> mw_status make_header(compiled_header *header, const motion_o
     return MW_OK;
 }
 
-template <class T> mw_status find_size(std::size_t *size, const motion_of<T> *motion, std::size_t *where)
+template <class T> mw_status motion_size(std::size_t *size, const motion_of<T> *motion, std::size_t *where)
 {
+    std::size_t ignored;
     compiled_header header;
-    const mw_status status = size ? make_header<T>(&header, motion, where) : MW_ERROR_NULL;
+    const mw_status status = size ? make_header<T>(&header, motion, where ? where : &ignored) : MW_ERROR_NULL;
     if (status == MW_OK)
         *size = compiled<T>(header).size();
     return status;
 }
 
 template <class T, class Compiled>
-mw_status compile(const Compiled **result, void *memory, std::size_t size, const motion_of<T> *motion, unsigned flags,
-                  std::size_t *where)
+mw_status compile_motion(const Compiled **result, void *memory, std::size_t size, const motion_of<T> *motion,
+                         unsigned flags, std::size_t *where)
 {
     std::size_t ignored;
     compiled_header header;
@@ -428,7 +429,7 @@ mw_status compile(const Compiled **result, void *memory, std::size_t size, const
     return MW_OK;
 }
 
-template <class T> mw_status domain_of(T *domain, const typename c_types<T>::compiled *motion)
+template <class T> mw_status motion_domain(T *domain, const typename c_types<T>::compiled *motion)
 {
     const mw_status status = domain ? check_compiled<T>(motion) : MW_ERROR_NULL;
     if (status == MW_OK) {
@@ -442,21 +443,4 @@ template <class T> mw_status domain_of(T *domain, const typename c_types<T>::com
 } // namespace motorway
 
 using namespace motorway;
-
-#define MOTORWAY_COMPILE(P, T)                                                                                        \
-    mw_status mw_motion_size_##P(size_t *size, const mw_motion_##P *motion, size_t *where)                            \
-    {                                                                                                                 \
-        size_t ignored;                                                                                               \
-        return find_size<T>(size, motion, where ? where : &ignored);                                                  \
-    }                                                                                                                 \
-    mw_status mw_compile_motion_##P(const mw_compiled_motion_##P **result, void *memory, size_t size,                 \
-                                    const mw_motion_##P *motion, unsigned flags, size_t *where)                       \
-    {                                                                                                                 \
-        return compile<T>(result, memory, size, motion, flags, where);                                                \
-    }                                                                                                                 \
-    mw_status mw_motion_domain_##P(T domain[2], const mw_compiled_motion_##P *motion)                                 \
-    {                                                                                                                 \
-        return domain_of<T>(domain, motion);                                                                          \
-    }
-MOTORWAY_COMPILE(f32, float)
-MOTORWAY_COMPILE(f64, double)
+#include "../../generated/calls/motion_compile.inc"

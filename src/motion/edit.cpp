@@ -325,21 +325,4 @@ mw_status split_motion(motion_of<T> *before, const Arrays &before_arrays, motion
 } // namespace motorway
 
 using namespace motorway;
-
-#define MOTORWAY_EDIT(P, T)                                                                                           \
-    mw_status mw_insert_knot_##P(mw_motion_##P *out, mw_motion_arrays_##P arrays, const mw_motion_##P *motion,        \
-                                 T knot, unsigned times)                                                              \
-    {                                                                                                                 \
-        return insert_knot<T>(out, arrays, motion, knot, times);                                                      \
-    }                                                                                                                 \
-    mw_status mw_elevate_degree_##P(mw_motion_##P *out, mw_motion_arrays_##P arrays, const mw_motion_##P *motion)     \
-    {                                                                                                                 \
-        return elevate_degree<T>(out, arrays, motion);                                                                \
-    }                                                                                                                 \
-    mw_status mw_split_motion_##P(mw_motion_##P *before, mw_motion_arrays_##P before_arrays, mw_motion_##P *after,    \
-                                  mw_motion_arrays_##P after_arrays, const mw_motion_##P *motion, T at)               \
-    {                                                                                                                 \
-        return split_motion<T>(before, before_arrays, after, after_arrays, motion, at);                               \
-    }
-MOTORWAY_EDIT(f32, float)
-MOTORWAY_EDIT(f64, double)
+#include "../../generated/calls/motion_edit.inc"

@@ -234,9 +234,9 @@ mw_status check_arrays(const Arrays &arrays, std::size_t knot_count, const Motor
 }
 
 template <class T, class Arrays>
-mw_status interpolate(motion_of<T> *out, const Arrays &arrays, mw_motion_kind kind, unsigned degree,
-                      const motor_of<T> *keys, const T *times, std::size_t count, void *memory, std::size_t *size,
-                      std::size_t *where)
+mw_status interpolate_keys(motion_of<T> *out, const Arrays &arrays, mw_motion_kind kind, unsigned degree,
+                           const motor_of<T> *keys, const T *times, std::size_t count, void *memory,
+                           std::size_t *size, std::size_t *where)
 {
     std::size_t ignored;
     where = where ? where : &ignored;
@@ -288,13 +288,4 @@ mw_status interpolate(motion_of<T> *out, const Arrays &arrays, mw_motion_kind ki
 } // namespace motorway
 
 using namespace motorway;
-
-#define MOTORWAY_INTERPOLATE(P, T)                                                                                    \
-    mw_status mw_interpolate_keys_##P(mw_motion_##P *out, mw_motion_arrays_##P arrays, mw_motion_kind kind,           \
-                                      unsigned degree, const mw_motor_##P *keys, const T *times, size_t count,        \
-                                      void *memory, size_t *size, size_t *where)                                      \
-    {                                                                                                                 \
-        return interpolate<T>(out, arrays, kind, degree, keys, times, count, memory, size, where);                    \
-    }
-MOTORWAY_INTERPOLATE(f32, float)
-MOTORWAY_INTERPOLATE(f64, double)
+#include "../../generated/calls/motion_interpolate.inc"

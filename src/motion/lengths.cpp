@@ -168,22 +168,4 @@ template <class T> mw_status twist_velocity(T *velocity, const T *twist, const T
 } // namespace motorway
 
 using namespace motorway;
-
-#define MOTORWAY_LENGTHS(P, T)                                                                                        \
-    mw_status mw_twist_velocity_##P(T velocity[3], const T twist[6], const T place[3])                                \
-    {                                                                                                                 \
-        return twist_velocity(velocity, twist, place);                                                                \
-    }                                                                                                                 \
-    mw_status mw_motion_lengths_##P(T *lengths, const mw_compiled_motion_##P *motion, size_t index, const T point[3], \
-                                    const T *parameters, size_t count)                                                \
-    {                                                                                                                 \
-        return motion_lengths(lengths, motion, index, point, parameters, count);                                      \
-    }                                                                                                                 \
-    mw_status mw_motion_even_parameters_##P(T *parameters, const mw_compiled_motion_##P *motion, size_t index,        \
-                                            const T point[3], size_t count)                                           \
-    {                                                                                                                 \
-        return motion_even_parameters(parameters, motion, index, point, count);                                       \
-    }
-
-MOTORWAY_LENGTHS(f32, float)
-MOTORWAY_LENGTHS(f64, double)
+#include "../../generated/calls/motion_lengths.inc"

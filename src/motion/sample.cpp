@@ -1,10 +1,7 @@
 // mw_sample_motion_...: poses and twists of compiled motions.
 #include "sample.h"
 
-#include "../elements.h"
-
 namespace motorway {
-
 namespace {
 
 template <class T> using compiled_type = typename c_types<T>::compiled;
@@ -36,7 +33,7 @@ mw_status check_sample(const outputs<Views...> &out, const compiled_type<T> *mot
 }
 
 template <class T, int... N>
-mw_status sample(const outputs<view<T, N>...> &out, const compiled_type<T> *motion, motions_sampled which,
+mw_status sample(motions_sampled which, const outputs<view<T, N>...> &out, const compiled_type<T> *motion,
                  std::size_t index, const numbers<T> &parameters, std::size_t count, unsigned flags)
 {
     mw_status status =
@@ -54,38 +51,23 @@ mw_status sample(const outputs<view<T, N>...> &out, const compiled_type<T> *moti
     return MW_OK;
 }
 
+template <class T>
+mw_status sample_motion(motions_sampled which, const view<T, 8> &out, const compiled_type<T> *motion, std::size_t index,
+                        const numbers<T> &parameters, std::size_t count, unsigned flags)
+{
+    return sample<T>(which, into(out), motion, index, parameters, count, flags);
+}
+
+template <class T>
+mw_status sample_motion_twist(motions_sampled which, const view<T, 8> &out, const view<T, 6> &twists,
+                              const compiled_type<T> *motion, std::size_t index, const numbers<T> &parameters,
+                              std::size_t count, unsigned flags)
+{
+    return sample<T>(which, into(out, twists), motion, index, parameters, count, flags);
+}
+
 } // namespace
 } // namespace motorway
 
 using namespace motorway;
-
-#define MOTORWAY_SAMPLE(P, T)                                                                                         \
-    mw_status mw_sample_motion_one_##P(mw_motors_##P out, const mw_compiled_motion_##P *motion, size_t index,         \
-                                       const T *parameters, size_t count, unsigned flags)                             \
-    {                                                                                                                 \
-        return sample<T>(to(view_of_motors<T>(out)), motion, motions_sampled::one, index,                             \
-                         numbers<T>{parameters, sizeof(T)}, count, flags);                                            \
-    }                                                                                                                 \
-    mw_status mw_sample_motion_each_##P(mw_motors_##P out, const mw_compiled_motion_##P *motion, size_t index,        \
-                                        const T *parameters, size_t parameter_stride, size_t count, unsigned flags)   \
-    {                                                                                                                 \
-        return sample<T>(to(view_of_motors<T>(out)), motion, motions_sampled::each, index,                            \
-                         numbers<T>{parameters, parameter_stride}, count, flags);                                     \
-    }                                                                                                                 \
-    mw_status mw_sample_motion_twist_one_##P(mw_motors_##P out, mw_bivectors_##P twists,                              \
-                                             const mw_compiled_motion_##P *motion, size_t index, const T *parameters, \
-                                             size_t count, unsigned flags)                                            \
-    {                                                                                                                 \
-        return sample<T>(to(view_of_motors<T>(out), elements_of(twists).part[0]), motion, motions_sampled::one,      \
-                         index, numbers<T>{parameters, sizeof(T)}, count, flags);                                     \
-    }                                                                                                                 \
-    mw_status mw_sample_motion_twist_each_##P(mw_motors_##P out, mw_bivectors_##P twists,                             \
-                                              const mw_compiled_motion_##P *motion, size_t index,                     \
-                                              const T *parameters, size_t parameter_stride, size_t count,             \
-                                              unsigned flags)                                                         \
-    {                                                                                                                 \
-        return sample<T>(to(view_of_motors<T>(out), elements_of(twists).part[0]), motion, motions_sampled::each,     \
-                         index, numbers<T>{parameters, parameter_stride}, count, flags);                              \
-    }
-MOTORWAY_SAMPLE(f32, float)
-MOTORWAY_SAMPLE(f64, double)
+#include "../../generated/calls/motion_sample.inc"

@@ -30,7 +30,7 @@ Case<T> round_trip(const std::string &representation, const Angles &angles,
 
 template <class T>
 struct Trips {
-    using A = Api<T>;
+    using A = api<T>;
     using L = Library<T>;
     using Numbers = std::vector<T>;
 
@@ -38,8 +38,8 @@ struct Trips {
     {
         const std::size_t count = in.size() / 8, four = sizeof(T[4]), three = sizeof(T[3]);
         Numbers turns(4 * count), offsets(3 * count), out(in.size());
-        check(A::to_pose(A::xyzw(turns.data(), four), A::xyz(offsets.data(), three), L::motors(in), count));
-        check(A::from_pose(L::motors(out), A::const_xyzw(turns.data(), four), A::const_xyz(offsets.data(), three),
+        check(A::convert_motor_to_pose_each(A::xyzw_aos(turns.data(), four), A::xyz_aos(offsets.data(), three), L::motors(in), count));
+        check(A::convert_pose_to_motor_each(L::motors(out), A::const_xyzw_aos(turns.data(), four), A::const_xyz_aos(offsets.data(), three),
                            count));
         return out;
     }
@@ -48,8 +48,8 @@ struct Trips {
     {
         const std::size_t count = in.size() / 8, stride = sizeof(T[8]);
         Numbers middle(in.size()), out(in.size());
-        check(A::to_dual_quaternion(A::dual_quaternions(middle.data(), stride), L::motors(in), count));
-        check(A::from_dual_quaternion(L::motors(out), A::const_dual_quaternions(middle.data(), stride), count));
+        check(A::convert_motor_to_dual_quaternion_each(A::dual_quaternions_aos(middle.data(), stride), L::motors(in), count));
+        check(A::convert_dual_quaternion_to_motor_each(L::motors(out), A::const_dual_quaternions_aos(middle.data(), stride), count));
         return out;
     }
 
@@ -57,8 +57,8 @@ struct Trips {
     {
         const std::size_t count = in.size() / 8, stride = sizeof(T[12]);
         Numbers middle(12 * count), out(in.size());
-        check(A::to_matrix({middle.data(), stride, MW_MATRIX_ROWS_3X4}, L::motors(in), count));
-        check(A::from_matrix(L::motors(out), {middle.data(), stride, MW_MATRIX_ROWS_3X4}, count, flags, nullptr));
+        check(A::convert_motor_to_matrix_each({middle.data(), stride, MW_MATRIX_ROWS_3X4}, L::motors(in), count));
+        check(A::convert_matrix_to_motor_each(L::motors(out), {middle.data(), stride, MW_MATRIX_ROWS_3X4}, count, flags, nullptr));
         return out;
     }
 
@@ -66,9 +66,9 @@ struct Trips {
     {
         const std::size_t count = in.size() / 8, four = sizeof(T[4]), three = sizeof(T[3]);
         Numbers turns(4 * count), offsets(3 * count), out(in.size());
-        check(A::to_axis_angle(A::xyzw(turns.data(), four), A::xyz(offsets.data(), three), L::motors(in), count));
-        check(A::from_axis_angle(L::motors(out), A::const_xyzw(turns.data(), four),
-                                 A::const_xyz(offsets.data(), three), count));
+        check(A::convert_motor_to_axis_angle_each(A::xyzw_aos(turns.data(), four), A::xyz_aos(offsets.data(), three), L::motors(in), count));
+        check(A::convert_axis_angle_to_motor_each(L::motors(out), A::const_xyzw_aos(turns.data(), four),
+                                 A::const_xyz_aos(offsets.data(), three), count));
         return out;
     }
 
@@ -76,8 +76,8 @@ struct Trips {
     {
         const std::size_t count = in.size() / 8, three = sizeof(T[3]);
         Numbers angles(3 * count), offsets(3 * count), out(in.size());
-        check(A::to_euler(A::xyz(angles.data(), three), A::xyz(offsets.data(), three), L::motors(in), count, order));
-        check(A::from_euler(L::motors(out), A::const_xyz(angles.data(), three), A::const_xyz(offsets.data(), three),
+        check(A::convert_motor_to_euler_each(A::xyz_aos(angles.data(), three), A::xyz_aos(offsets.data(), three), L::motors(in), count, order));
+        check(A::convert_euler_to_motor_each(L::motors(out), A::const_xyz_aos(angles.data(), three), A::const_xyz_aos(offsets.data(), three),
                             count, order));
         return out;
     }
@@ -86,8 +86,8 @@ struct Trips {
     {
         const std::size_t count = in.size() / 8, stride = sizeof(T[8]);
         Numbers middle(in.size()), out(in.size());
-        check(A::to_screw(A::screws(middle.data(), stride), L::motors(in), count));
-        check(A::from_screw(L::motors(out), A::const_screws(middle.data(), stride), count));
+        check(A::convert_motor_to_screw_each(A::screws_aos(middle.data(), stride), L::motors(in), count));
+        check(A::convert_screw_to_motor_each(L::motors(out), A::const_screws_aos(middle.data(), stride), count));
         return out;
     }
 
@@ -95,8 +95,8 @@ struct Trips {
     {
         const T lambda = T(0.37);
         Numbers middle(in.size()), out(in.size());
-        check(A::to_rotor(L::motors(middle), L::motors(in), in.size() / 8, lambda));
-        check(A::from_rotor(L::motors(out), L::motors(static_cast<const Numbers &>(middle)), in.size() / 8, lambda));
+        check(A::convert_motor_to_rotor_each(L::motors(middle), L::motors(in), in.size() / 8, lambda));
+        check(A::convert_rotor_to_motor_each(L::motors(out), L::motors(static_cast<const Numbers &>(middle)), in.size() / 8, lambda));
         return out;
     }
 };

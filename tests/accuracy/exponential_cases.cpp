@@ -87,7 +87,7 @@ Case<T> log_case(const Angles &angles, Given given)
         return log_truth(exactly<decltype(number), 8>(inputs[0]), Branch::shortest);
     });
     c.run = [=](const auto &inputs) {
-        return Library<T>::log(Api<T>::log, inputs[0], given == Given::unit ? MW_UNIT_MOTORS : MW_DEFAULT);
+        return Library<T>::log(api<T>::log_motor_each, inputs[0], given == Given::unit ? MW_UNIT_MOTORS : MW_DEFAULT);
     };
     return c;
 }
@@ -115,7 +115,7 @@ Case<T> log_principal_case(const std::string &function, const Angles &angles, Re
             truth.translation = length(motor, 4, 8) / length(motor, 1, 4);
         return truth;
     });
-    c.run = [](const auto &inputs) { return Library<T>::log(Api<T>::log_principal, inputs[0], MW_UNIT_MOTORS); };
+    c.run = [](const auto &inputs) { return Library<T>::log(api<T>::log_principal_motor_each, inputs[0], MW_UNIT_MOTORS); };
     return c;
 }
 

@@ -43,7 +43,7 @@ Case<T> exp_of_log_case(const Angles &angles, Branch branch, Reach reach)
         return truth;
     });
     c.run = [=](const auto &inputs) {
-        const auto function = principal ? Api<T>::log_principal : Api<T>::log;
+        const auto function = principal ? api<T>::log_principal_motor_each : api<T>::log_motor_each;
         return Library<T>::exp(Library<T>::log(function, inputs[0], MW_UNIT_MOTORS));
     };
     return c;
@@ -76,7 +76,7 @@ Case<T> log_of_exp_case(const Angles &angles, Branch branch, Reach reach)
         return truth;
     });
     c.run = [=](const auto &inputs) {
-        const auto function = principal ? Api<T>::log_principal : Api<T>::log;
+        const auto function = principal ? api<T>::log_principal_motor_each : api<T>::log_motor_each;
         return Library<T>::log(function, Library<T>::exp(inputs[0]), MW_UNIT_MOTORS);
     };
     return c;

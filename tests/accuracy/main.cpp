@@ -105,13 +105,13 @@ void measure_cases(std::ostream &out, Progress &progress, const Counts &counts)
         std::string worst;
         for (const Errors &errors : measured.errors) {
             for (bool rotation : {true, false})
-                write_part(out, title, Api<T>::name, errors, rotation, count, measured.disagreement);
+                write_part(out, title, api<T>::name, errors, rotation, count, measured.disagreement);
             char text[64];
             std::snprintf(text, sizeof text, "  %s %.2f, %.2f", errors.isa_class.c_str(), errors.rotation.worst,
                           errors.translation.worst);
             worst += text;
         }
-        progress.say(std::string(Api<T>::name) + "  " + title.function + ", " + title.inputs + ":" + worst);
+        progress.say(std::string(api<T>::name) + "  " + title.function + ", " + title.inputs + ":" + worst);
     }
 }
 
@@ -124,7 +124,7 @@ void measure_curves(std::ostream &out, Progress &progress, const Counts &counts)
         curves.push_back(curve);
     for (const Curve<T> &curve : curves)
         for (const bool logarithmic : {true, false}) {
-            progress.say(std::string(Api<T>::name) + "  " + curve.name + " against the angle");
+            progress.say(std::string(api<T>::name) + "  " + curve.name + " against the angle");
             for (int point = 0; point < counts.points; ++point) {
                 const double from = static_cast<double>(point) / counts.points, to = from + 1.0 / counts.points;
                 const double low = logarithmic ? std::pow(1e-30, 1 - from) : 2 * turn * from;
@@ -136,7 +136,7 @@ void measure_curves(std::ostream &out, Progress &progress, const Counts &counts)
                     Line(out, "curve")
                         .add("function", curve.name)
                         .add("axis", logarithmic ? "logarithmic" : "linear")
-                        .add("precision", Api<T>::name)
+                        .add("precision", api<T>::name)
                         .add("class", errors.isa_class)
                         .add("low", low)
                         .add("high", high)
@@ -149,10 +149,10 @@ void measure_curves(std::ostream &out, Progress &progress, const Counts &counts)
 template <class T>
 void measure_products(std::ostream &out, Progress &progress)
 {
-    progress.say(std::string(Api<T>::name) + "  a million products");
+    progress.say(std::string(api<T>::name) + "  a million products");
     for (const Drift &drift : measure_drift<T>())
         Line(out, "drift")
-            .add("precision", Api<T>::name)
+            .add("precision", api<T>::name)
             .add("class", drift.isa_class)
             .add("products", static_cast<double>(drift_products))
             .add("every", static_cast<double>(drift_renormalised_every))

@@ -114,7 +114,7 @@ Case<T> interpolation_case(const Interpolation &of, const Angles &angles)
         return interpolation_truth(of, exactly<R, 8>(inputs[0]), exactly<R, 8>(inputs[1]), R(*inputs[2]));
     });
     c.run = [=](const auto &inputs) {
-        return Library<T>::interpolate(of.along_a_screw ? Api<T>::slerp : Api<T>::nlerp, inputs[0], inputs[1],
+        return Library<T>::interpolate(of.along_a_screw ? api<T>::slerp_motor_each : api<T>::nlerp_motor_each, inputs[0], inputs[1],
                                        inputs[2], of.flags);
     };
     return c;

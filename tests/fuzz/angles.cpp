@@ -6,15 +6,15 @@ namespace motorway::fuzz {
 namespace {
 
 template <class T>
-using C = testing::ConvertApi<T>;
+using C = testing::api<T>;
 template <class T>
-using Out = typename Api<T>::Motors;
+using Out = typename api<T>::motors;
 template <class T>
-using In = typename Api<T>::ConstMotors;
+using In = typename api<T>::const_motors;
 template <class T>
-using Xyz = typename Api<T>::Xyz;
+using Xyz = typename api<T>::xyz;
 template <class T>
-using ConstXyz = typename Api<T>::ConstXyz;
+using ConstXyz = typename api<T>::const_xyz;
 
 template <class T>
 void draw_any_motor(Random &random, void *const *inputs)
@@ -81,7 +81,7 @@ Function axis_angle_to_motor()
         draw.spoil(in, 7);
     };
     f.ways = {[](const Call &call) {
-        return C<T>::axis_angle_to_motor(view_of<Out<T>>(call.out), view_of<typename C<T>::ConstXyzw>(call.in[0]),
+        return C<T>::convert_axis_angle_to_motor_each(view_of<Out<T>>(call.out), view_of<typename C<T>::const_xyzw>(call.in[0]),
                                          view_of<ConstXyz<T>>(call.in[0], 4), call.count);
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
@@ -109,7 +109,7 @@ Function motor_to_axis_angle()
                {},
                {}};
     f.ways = {[](const Call &call) {
-        return C<T>::motor_to_axis_angle(view_of<typename C<T>::Xyzw>(call.out), view_of<Xyz<T>>(call.out, 4),
+        return C<T>::convert_motor_to_axis_angle_each(view_of<typename C<T>::xyzw>(call.out), view_of<Xyz<T>>(call.out, 4),
                                          view_of<In<T>>(call.in[0]), call.count);
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
@@ -188,7 +188,7 @@ Function euler_to_motor(mw_euler_order order)
         draw.spoil(in, 6);
     };
     f.ways = {[order](const Call &call) {
-        return C<T>::euler_to_motor(view_of<Out<T>>(call.out), view_of<ConstXyz<T>>(call.in[0]),
+        return C<T>::convert_euler_to_motor_each(view_of<Out<T>>(call.out), view_of<ConstXyz<T>>(call.in[0]),
                                     view_of<ConstXyz<T>>(call.in[0], 3), call.count, order);
     }};
     f.judge = [order](const void *const *inputs, const void *out, bool) {
@@ -240,7 +240,7 @@ Function motor_to_euler(mw_euler_order order)
         Draw<T>(random).spoil(static_cast<T *>(inputs[0]), 8);
     };
     f.ways = {[order](const Call &call) {
-        return C<T>::motor_to_euler(view_of<Xyz<T>>(call.out), view_of<Xyz<T>>(call.out, 3),
+        return C<T>::convert_motor_to_euler_each(view_of<Xyz<T>>(call.out), view_of<Xyz<T>>(call.out, 3),
                                     view_of<In<T>>(call.in[0]), call.count, order);
     }};
     f.judge = [order](const void *const *inputs, const void *out, bool) {
@@ -282,7 +282,7 @@ Function screw_to_motor()
         draw.spoil(in, 8);
     };
     f.ways = {[](const Call &call) {
-        return C<T>::screw_to_motor(view_of<Out<T>>(call.out), view_of<typename C<T>::ConstScrews>(call.in[0]),
+        return C<T>::convert_screw_to_motor_each(view_of<Out<T>>(call.out), view_of<typename C<T>::const_screws>(call.in[0]),
                                     call.count);
     }};
     // docs/conventions.md: d = ½ h cos ½θ a + sin ½θ (p × a), and w = ½ h sin ½θ, of which dw is the opposite.
@@ -309,7 +309,7 @@ Function motor_to_screw()
     Function f{
         "screw", named<T>("convert_motor_to_screw_each"), {motors_of<T>()}, {8, sizeof(T)}, draw_any_motor<T>, {}, {}};
     f.ways = {[](const Call &call) {
-        return C<T>::motor_to_screw(view_of<typename C<T>::Screws>(call.out), view_of<In<T>>(call.in[0]), call.count);
+        return C<T>::convert_motor_to_screw_each(view_of<typename C<T>::screws>(call.out), view_of<In<T>>(call.in[0]), call.count);
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;

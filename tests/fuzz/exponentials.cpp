@@ -45,8 +45,8 @@ Function exponential()
         Draw<T>(random).spoil(bivector, 6);
     };
     f.ways = {[](const Call &call) {
-        return Api<T>::exp_motor_each(view_of<typename Api<T>::Motors>(call.out),
-                                      view_of<typename Api<T>::ConstBivectors>(call.in[0]), call.count);
+        return api<T>::exp_motor_each(view_of<typename api<T>::motors>(call.out),
+                                      view_of<typename api<T>::const_bivectors>(call.in[0]), call.count);
     }};
     return f;
 }
@@ -138,9 +138,9 @@ Function logarithm(Given given, Way way)
     if (given == Given::unit)
         f.name += " of unit motors";
     f.ways = {[=](const Call &call) {
-        const auto function = shortest ? Api<T>::log_motor_each : Api<T>::log_principal_motor_each;
-        return function(view_of<typename Api<T>::Bivectors>(call.out),
-                        view_of<typename Api<T>::ConstMotors>(call.in[0]), call.count, flags);
+        const auto function = shortest ? api<T>::log_motor_each : api<T>::log_principal_motor_each;
+        return function(view_of<typename api<T>::bivectors>(call.out),
+                        view_of<typename api<T>::const_motors>(call.in[0]), call.count, flags);
     }};
     f.judge = [=](const void *const *inputs, const void *out, bool fuses) {
         return shortest ? judge_log<T>(inputs, out, fuses, given) : judge_log_principal<T>(inputs, out, fuses, given);
@@ -173,8 +173,8 @@ Function square_root()
     Function f{"power", named<T>("sqrt_motor_each"), {motors_of<T>()}, motors_of<T>(), draw_motor<T>(Given::unit), {},
                {}};
     f.ways = {[](const Call &call) {
-        return Api<T>::sqrt_motor_each(view_of<typename Api<T>::Motors>(call.out),
-                                       view_of<typename Api<T>::ConstMotors>(call.in[0]), call.count);
+        return api<T>::sqrt_motor_each(view_of<typename api<T>::motors>(call.out),
+                                       view_of<typename api<T>::const_motors>(call.in[0]), call.count);
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
         if (!judgeable<T>(inputs[0], 8))
@@ -199,8 +199,8 @@ Function power_of()
         draw.spoil(exponent, 1);
     };
     f.ways = {[](const Call &call) {
-        return Api<T>::power_motor_each(view_of<typename Api<T>::Motors>(call.out),
-                                        view_of<typename Api<T>::ConstMotors>(call.in[0]), first_of<T>(call.in[1]),
+        return api<T>::power_motor_each(view_of<typename api<T>::motors>(call.out),
+                                        view_of<typename api<T>::const_motors>(call.in[0]), first_of<T>(call.in[1]),
                                         call.in[1].stride, call.count);
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {

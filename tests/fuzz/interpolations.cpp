@@ -6,9 +6,9 @@ namespace motorway::fuzz {
 namespace {
 
 template <class T>
-using Out = typename Api<T>::Motors;
+using Out = typename api<T>::motors;
 template <class T>
-using In = typename Api<T>::ConstMotors;
+using In = typename api<T>::const_motors;
 
 struct Kind {
     bool along_a_screw, one;
@@ -83,7 +83,7 @@ Verdict judge_slerp(const Motor<Wide<T>> &first, const Motor<Wide<T>> &end, Wide
     }
     if (!near)
         return verdict;
-    unit_motor(verdict, out, within ? 4 : 10);
+    unit_motor(verdict, out, within ? 5 : 10);  // up to two of them are those of the poses that it lies between
     near_motor(verdict, out, right, R(1), within ? 2.5 : Bound(5, 5).of(fuses),
                within ? size : larger(size, length(right.d)),
                within ? Bound(2.5, 3).of(fuses) : Bound(6, 6.5).of(fuses));
@@ -150,12 +150,12 @@ Function interpolation(const Kind &kind)
         const T *const t = first_of<T>(call.in[2]);
         const Out<T> out = view_of<Out<T>>(call.out);
         if (kind.one) {
-            using M = typename Api<T>::Motor;
-            const auto function = kind.along_a_screw ? Api<T>::slerp_motor_one : Api<T>::nlerp_motor_one;
+            using M = typename api<T>::motor;
+            const auto function = kind.along_a_screw ? api<T>::slerp_motor_one : api<T>::nlerp_motor_one;
             return function(out, first_of<M>(call.in[0]), first_of<M>(call.in[1]), t, call.in[2].stride, call.count,
                             kind.flags);
         }
-        const auto function = kind.along_a_screw ? Api<T>::slerp_motor_each : Api<T>::nlerp_motor_each;
+        const auto function = kind.along_a_screw ? api<T>::slerp_motor_each : api<T>::nlerp_motor_each;
         return function(out, view_of<In<T>>(call.in[0]), view_of<In<T>>(call.in[1]), t, call.in[2].stride, call.count,
                         kind.flags);
     }};
@@ -214,17 +214,17 @@ Function blend(std::size_t terms, bool one)
         std::vector<const T *> weights;
         for (std::size_t k = 0; k < terms; ++k)
             weights.push_back(reinterpret_cast<const T *>(call.in[0].component[k]));
-        const typename Api<T>::Weights view{weights.data(), call.in[0].stride};
+        const typename api<T>::weights view{weights.data(), call.in[0].stride};
         if (one) {
-            std::vector<typename Api<T>::Motor> palette;
+            std::vector<typename api<T>::motor> palette;
             for (std::size_t k = 0; k < terms; ++k)
-                palette.push_back(*first_of<typename Api<T>::Motor>(call.in[1 + k]));
-            return Api<T>::blend_motor_one(view_of<Out<T>>(call.out), palette.data(), view, terms, call.count);
+                palette.push_back(*first_of<typename api<T>::motor>(call.in[1 + k]));
+            return api<T>::blend_motor_one(view_of<Out<T>>(call.out), palette.data(), view, terms, call.count);
         }
         std::vector<In<T>> controls;
         for (std::size_t k = 0; k < terms; ++k)
             controls.push_back(view_of<In<T>>(call.in[1 + k]));
-        return Api<T>::blend_motor_each(view_of<Out<T>>(call.out), controls.data(), view, terms, call.count);
+        return api<T>::blend_motor_each(view_of<Out<T>>(call.out), controls.data(), view, terms, call.count);
     }};
     f.judge = [terms](const void *const *inputs, const void *out, bool) { return judge_blend<T>(terms, inputs, out); };
     return f;

@@ -10,7 +10,7 @@
 
 namespace motorway::fuzz {
 
-using testing::Api;
+using testing::api;
 using testing::Random;
 
 // Bounds in epsilons where multiplications and additions are fused, and where they are not.

@@ -8,7 +8,7 @@ namespace motorway::fuzz {
 namespace {
 
 template <class T>
-using Out = typename Api<T>::Motors;
+using Out = typename api<T>::motors;
 
 struct Shape {
     mw_motion_kind kind;
@@ -199,27 +199,27 @@ class Compiled {
 public:
     Compiled(const Shape &shape, const Call &call)
     {
-        std::vector<typename Api<T>::Motor> controls;
+        std::vector<typename api<T>::motor> controls;
         for (std::size_t k = 0; k < shape.controls; ++k)
-            controls.push_back(*first_of<typename Api<T>::Motor>(call.in[k]));
-        typename Api<T>::Motion motion{};
+            controls.push_back(*first_of<typename api<T>::motor>(call.in[k]));
+        typename api<T>::motion motion{};
         motion.kind = shape.kind;
         motion.degree = shape.degree;
         motion.controls = controls.data();
         motion.control_count = controls.size();
         std::size_t size = 0, where = 0;
-        status = Api<T>::motion_size(&size, &motion, &where);
+        status = api<T>::motion_size(&size, &motion, &where);
         memory_.resize((size + 7) / 8);
         if (status == MW_OK)
-            status = Api<T>::compile_motion(&motion_, memory_.data(), size, &motion, MW_DEFAULT, &where);
+            status = api<T>::compile_motion(&motion_, memory_.data(), size, &motion, MW_DEFAULT, &where);
     }
 
-    const typename Api<T>::CompiledMotion *get() const { return motion_; }
+    const typename api<T>::compiled_motion *get() const { return motion_; }
     mw_status status;
 
 private:
     std::vector<double> memory_;
-    const typename Api<T>::CompiledMotion *motion_ = nullptr;
+    const typename api<T>::compiled_motion *motion_ = nullptr;
 };
 
 // The parameters adjacent, as all but the first functions want them.
@@ -291,7 +291,7 @@ Function sampled(const Shape &shape)
         const Compiled<T> motion(shape, call);
         const std::vector<T> t = parameters_of<T>(call, call.in[shape.controls]);
         return motion.status != MW_OK ? motion.status
-                                      : Api<T>::sample_motion_one(view_of<Out<T>>(call.out), motion.get(), 0, t.data(),
+                                      : api<T>::sample_motion_one(view_of<Out<T>>(call.out), motion.get(), 0, t.data(),
                                                                   call.count, MW_DEFAULT);
     }};
     f.judge = [shape](const void *const *inputs, const void *out, bool) {
@@ -311,8 +311,8 @@ Function with_twists(const Shape &shape)
         const std::vector<T> t = parameters_of<T>(call, call.in[shape.controls]);
         return motion.status != MW_OK
                    ? motion.status
-                   : Api<T>::sample_motion_twist_one(view_of<Out<T>>(call.out),
-                                                     view_of<typename Api<T>::Bivectors>(call.out, 8), motion.get(), 0,
+                   : api<T>::sample_motion_twist_one(view_of<Out<T>>(call.out),
+                                                     view_of<typename api<T>::bivectors>(call.out, 8), motion.get(), 0,
                                                      t.data(), call.count, MW_DEFAULT);
     }};
     f.judge = [shape](const void *const *inputs, const void *out, bool) {
@@ -338,27 +338,27 @@ Function onto_points(const Shape &shape)
         draw(random, inputs);
         Draw<T>(random).vector(static_cast<T *>(inputs[shape.controls + 1]), 3);
     };
-    using Xyz = typename Api<T>::Xyz;
-    using ConstXyz = typename Api<T>::ConstXyz;
+    using Xyz = typename api<T>::xyz;
+    using ConstXyz = typename api<T>::const_xyz;
     f.ways = {[shape](const Call &call) {
                   const Compiled<T> motion(shape, call);
                   const Xyz out = view_of<Xyz>(call.out);
                   return motion.status != MW_OK
                              ? motion.status
-                             : Api<T>::apply_point_motion(
+                             : api<T>::apply_point_motion(
                                    out, call.count * out.stride, motion.get(), 0, first_of<T>(call.in[shape.controls]),
                                    1, view_of<ConstXyz>(call.in[shape.controls + 1]), call.count, MW_DEFAULT);
               },
               [shape](const Call &call) {
                   const Compiled<T> motion(shape, call);
-                  typename Api<T>::Motor sample{};
+                  typename api<T>::motor sample{};
                   if (motion.status != MW_OK)
                       return motion.status;
                   const mw_status status =
-                      Api<T>::sample_motion_one(Api<T>::motors_aos(&sample, sizeof sample), motion.get(), 0,
+                      api<T>::sample_motion_one(api<T>::motors_aos(&sample, sizeof sample), motion.get(), 0,
                                                 first_of<T>(call.in[shape.controls]), 1, MW_DEFAULT);
                   return status != MW_OK ? status
-                                         : Api<T>::apply_point_one(view_of<Xyz>(call.out), &sample,
+                                         : api<T>::apply_point_one(view_of<Xyz>(call.out), &sample,
                                                                    view_of<ConstXyz>(call.in[shape.controls + 1]),
                                                                    call.count, MW_DEFAULT);
               }};

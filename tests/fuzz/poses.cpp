@@ -6,11 +6,11 @@ namespace motorway::fuzz {
 namespace {
 
 template <class T>
-using C = testing::ConvertApi<T>;
+using C = testing::api<T>;
 template <class T>
-using Out = typename Api<T>::Motors;
+using Out = typename api<T>::motors;
 template <class T>
-using In = typename Api<T>::ConstMotors;
+using In = typename api<T>::const_motors;
 
 template <class T>
 void draw_any_motor(Random &random, void *const *inputs)
@@ -53,7 +53,7 @@ Function motor_to_pose()
     Function f{"pose", named<T>("convert_motor_to_pose_each"), {motors_of<T>()}, {7, sizeof(T)}, draw_any_motor<T>, {},
                {}};
     f.ways = {[](const Call &call) {
-        return C<T>::motor_to_pose(view_of<typename C<T>::Xyzw>(call.out), view_of<typename Api<T>::Xyz>(call.out, 4),
+        return C<T>::convert_motor_to_pose_each(view_of<typename C<T>::xyzw>(call.out), view_of<typename api<T>::xyz>(call.out, 4),
                                    view_of<In<T>>(call.in[0]), call.count);
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
@@ -84,8 +84,8 @@ Function pose_to_motor()
         Draw<T>(random).spoil(in, 7);
     };
     f.ways = {[](const Call &call) {
-        return C<T>::pose_to_motor(view_of<Out<T>>(call.out), view_of<typename C<T>::ConstXyzw>(call.in[0]),
-                                   view_of<typename Api<T>::ConstXyz>(call.in[0], 4), call.count);
+        return C<T>::convert_pose_to_motor_each(view_of<Out<T>>(call.out), view_of<typename C<T>::const_xyzw>(call.in[0]),
+                                   view_of<typename api<T>::const_xyz>(call.in[0], 4), call.count);
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;
@@ -116,10 +116,10 @@ Function dual_quaternions(bool from_motors)
         {},
         {}};
     f.ways = {[from_motors](const Call &call) {
-        return from_motors ? C<T>::motor_to_dual_quaternion(view_of<typename C<T>::DualQuaternions>(call.out),
+        return from_motors ? C<T>::convert_motor_to_dual_quaternion_each(view_of<typename C<T>::dual_quaternions>(call.out),
                                                             view_of<In<T>>(call.in[0]), call.count)
-                           : C<T>::dual_quaternion_to_motor(view_of<Out<T>>(call.out),
-                                                            view_of<typename C<T>::ConstDualQuaternions>(call.in[0]),
+                           : C<T>::convert_dual_quaternion_to_motor_each(view_of<Out<T>>(call.out),
+                                                            view_of<typename C<T>::const_dual_quaternions>(call.in[0]),
                                                             call.count);
     }};
     f.judge = [from_motors](const void *const *inputs, const void *out, bool) {
@@ -167,8 +167,8 @@ Function motor_to_matrix(mw_matrix_layout layout)
                {},
                {}};
     f.ways = {[layout](const Call &call) {
-        const typename C<T>::Matrices matrices{reinterpret_cast<T *>(call.out.component[0]), call.out.stride, layout};
-        return C<T>::motor_to_matrix(matrices, view_of<In<T>>(call.in[0]), call.count);
+        const typename C<T>::matrices matrices{reinterpret_cast<T *>(call.out.component[0]), call.out.stride, layout};
+        return C<T>::convert_motor_to_matrix_each(matrices, view_of<In<T>>(call.in[0]), call.count);
     }};
     f.judge = [layout](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;
@@ -226,7 +226,7 @@ Function matrix_to_motor(mw_matrix_layout layout, unsigned flags)
         }
     };
     f.ways = {[layout, flags](const Call &call) {
-        return C<T>::matrix_to_motor(view_of<Out<T>>(call.out), {first_of<T>(call.in[0]), call.in[0].stride, layout},
+        return C<T>::convert_matrix_to_motor_each(view_of<Out<T>>(call.out), {first_of<T>(call.in[0]), call.in[0].stride, layout},
                                      call.count, flags, nullptr);
     }};
     f.judge = [layout, flags](const void *const *inputs, const void *out, bool) {
@@ -263,7 +263,7 @@ Function motor_to_translation()
                {},
                {}};
     f.ways = {[](const Call &call) {
-        return C<T>::motor_to_translation(view_of<typename Api<T>::Xyz>(call.out), view_of<In<T>>(call.in[0]),
+        return C<T>::convert_motor_to_translation_each(view_of<typename api<T>::xyz>(call.out), view_of<In<T>>(call.in[0]),
                                           call.count);
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
@@ -285,7 +285,7 @@ Function translation_to_motor()
         Draw<T>(random).spoil(static_cast<T *>(inputs[0]), 3);
     };
     f.ways = {[](const Call &call) {
-        return C<T>::translation_to_motor(view_of<Out<T>>(call.out), view_of<typename Api<T>::ConstXyz>(call.in[0]),
+        return C<T>::convert_translation_to_motor_each(view_of<Out<T>>(call.out), view_of<typename api<T>::const_xyz>(call.in[0]),
                                           call.count);
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
@@ -312,8 +312,8 @@ Function rotors(bool from_motors, T lambda)
                {}};
     f.ways = {[=](const Call &call) {
         return from_motors
-                   ? C<T>::motor_to_rotor(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]), call.count, lambda)
-                   : C<T>::rotor_to_motor(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]), call.count, lambda);
+                   ? C<T>::convert_motor_to_rotor_each(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]), call.count, lambda)
+                   : C<T>::convert_rotor_to_motor_each(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]), call.count, lambda);
     }};
     f.judge = [=](const void *const *inputs, const void *out, bool) {
         using R = Wide<T>;

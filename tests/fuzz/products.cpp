@@ -5,9 +5,9 @@ namespace motorway::fuzz {
 namespace {
 
 template <class T>
-using Out = typename Api<T>::Motors;
+using Out = typename api<T>::motors;
 template <class T>
-using In = typename Api<T>::ConstMotors;
+using In = typename api<T>::const_motors;
 
 // Rounding errors of a product are relative to the products of the sizes of what is multiplied.
 template <class T>
@@ -25,7 +25,7 @@ Verdict judge_product(const Motor<Wide<T>> &first, const Motor<Wide<T>> &then, c
 template <class T>
 mw_status along_a_hierarchy(const Call &call)
 {
-    std::vector<typename Api<T>::Motor> locals(2 * call.count);
+    std::vector<typename api<T>::motor> locals(2 * call.count);
     for (std::size_t k = 0; k < 8; ++k)
         for (std::size_t i = 0; i < call.count; ++i) {
             std::memcpy(&locals[i].s + k, call.in[1].component[k] + i * call.in[1].stride, sizeof(T));
@@ -33,8 +33,8 @@ mw_status along_a_hierarchy(const Call &call)
         }
     const std::int32_t parents[] = {-1, 0};
     const std::size_t stride = sizeof locals[0];
-    const mw_status status = Api<T>::compose_motor_hierarchy(Api<T>::motors_aos(locals.data(), stride),
-                                                             Api<T>::const_motors_aos(locals.data(), stride),
+    const mw_status status = api<T>::compose_motor_hierarchy(api<T>::motors_aos(locals.data(), stride),
+                                                             api<T>::const_motors_aos(locals.data(), stride),
                                                              call.count * stride, parents, 2, call.count, nullptr);
     for (std::size_t k = 0; k < 8; ++k)
         for (std::size_t i = 0; i < call.count; ++i)
@@ -65,13 +65,13 @@ Function product(Same same)
     f.ways = {[same](const Call &call) {
         const Out<T> out = view_of<Out<T>>(call.out);
         const auto one = [&](int k) {
-            return reinterpret_cast<const typename Api<T>::Motor *>(call.in[k].component[0]);
+            return reinterpret_cast<const typename api<T>::motor *>(call.in[k].component[0]);
         };
         const auto all = [&](int k) { return view_of<In<T>>(call.in[k]); };
         switch (same) {
-        case Same::first: return Api<T>::compose_motor_one_first(out, one(0), all(1), call.count);
-        case Same::then: return Api<T>::compose_motor_one_then(out, all(0), one(1), call.count);
-        default: return Api<T>::compose_motor_each(out, all(0), all(1), call.count);
+        case Same::first: return api<T>::compose_motor_one_first(out, one(0), all(1), call.count);
+        case Same::then: return api<T>::compose_motor_one_then(out, all(0), one(1), call.count);
+        default: return api<T>::compose_motor_each(out, all(0), all(1), call.count);
         }
     }};
     if (same == Same::none)
@@ -100,7 +100,7 @@ Function ratio(unsigned flags)
             draw.spoil(static_cast<T *>(inputs[k]), 8);
     };
     f.ways = {[flags](const Call &call) {
-        return Api<T>::ratio_motor_each(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]),
+        return api<T>::ratio_motor_each(view_of<Out<T>>(call.out), view_of<In<T>>(call.in[0]),
                                         view_of<In<T>>(call.in[1]), call.count, flags);
     }};
     f.judge = [flags](const void *const *inputs, const void *out, bool) {
@@ -148,17 +148,17 @@ void add(Functions &functions)
         functions.push_back(product<T>(same));
     functions.push_back(ratio<T>(MW_DEFAULT));
     functions.push_back(ratio<T>(MW_UNIT_MOTORS));
-    functions.push_back(of_one<T>("reverse", Api<T>::reverse_motor_each, [](const Motor<R> &m, const T *out) {
+    functions.push_back(of_one<T>("reverse", api<T>::reverse_motor_each, [](const Motor<R> &m, const T *out) {
         Verdict verdict;
         near_motor(verdict, out, conjugate(m), R(1), 0, R(1), 0, R(0));
         return verdict;
     }));
-    functions.push_back(of_one<T>("inverse", Api<T>::inverse_motor_each, [](const Motor<R> &m, const T *out) {
+    functions.push_back(of_one<T>("inverse", api<T>::inverse_motor_each, [](const Motor<R> &m, const T *out) {
         Verdict verdict = of_any_length<T>();
         near_motor(verdict, out, inverse(m), 1 / length(m.r), 3, length(m.d) / alpha(m), 9);
         return verdict;
     }));
-    functions.push_back(of_one<T>("normalize", Api<T>::normalize_motor_each, [](const Motor<R> &m, const T *out) {
+    functions.push_back(of_one<T>("normalize", api<T>::normalize_motor_each, [](const Motor<R> &m, const T *out) {
         Verdict verdict = of_any_length<T>();
         unit_motor(verdict, out);
         near_motor(verdict, out, normalized(m), R(1), 1.5, reach(m) / 2, 4);

@@ -6,7 +6,7 @@ namespace motorway::fuzz {
 namespace {
 
 template <class T>
-using C = testing::ConvertApi<T>;
+using C = testing::api<T>;
 
 // In each element of a batch, from and to adjacent numbers.
 template <class T>
@@ -40,7 +40,7 @@ Function rotation()
     };
     f.ways = {[](const Call &call) {
         return for_each<T>(call, 7, 8, [](const T *in, T *out) {
-            return Api<T>::rotation(reinterpret_cast<typename Api<T>::Motor *>(out), in, in[3], in + 4);
+            return api<T>::rotation(reinterpret_cast<typename api<T>::motor *>(out), in, in[3], in + 4);
         });
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
@@ -66,7 +66,7 @@ Function translation_by()
     f.draw = [](Random &random, void *const *inputs) { Draw<T>(random).vector(static_cast<T *>(inputs[0]), 3); };
     f.ways = {[](const Call &call) {
         return for_each<T>(call, 3, 8, [](const T *in, T *out) {
-            return Api<T>::translation(reinterpret_cast<typename Api<T>::Motor *>(out), in);
+            return api<T>::translation(reinterpret_cast<typename api<T>::motor *>(out), in);
         });
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
@@ -86,7 +86,7 @@ Function split()
     f.draw = [](Random &random, void *const *inputs) { Draw<T>(random).bivector(static_cast<T *>(inputs[0])); };
     f.ways = {[](const Call &call) {
         return for_each<T>(call, 6, 10, [](const T *in, T *out) {
-            return C<T>::split_bivector(reinterpret_cast<typename C<T>::Twist *>(out), in);
+            return C<T>::split_bivector(reinterpret_cast<typename C<T>::twist *>(out), in);
         });
     }};
     f.judge = [](const void *const *inputs, const void *out, bool) {
@@ -149,9 +149,9 @@ Function twist(bool position)
     };
     f.ways = {[=](const Call &call) {
         return for_each<T>(call, 11, outputs, [=](const T *in, T *out) {
-            const auto *const twist = reinterpret_cast<const typename C<T>::Twist *>(in);
+            const auto *const twist = reinterpret_cast<const typename C<T>::twist *>(in);
             return position ? C<T>::twist_position(out, twist, in[10])
-                            : C<T>::twist_pose(reinterpret_cast<typename Api<T>::Motor *>(out), twist, in[10]);
+                            : C<T>::twist_pose(reinterpret_cast<typename api<T>::motor *>(out), twist, in[10]);
         });
     }};
     f.judge = [=](const void *const *inputs, const void *out, bool) {

@@ -9,7 +9,7 @@
 namespace motorway::memcheck {
 namespace {
 
-using testing::Api;
+using testing::api;
 
 constexpr mw_motion_kind kinds[] = {MW_MOTION_ADDITIVE, MW_MOTION_MULTIPLICATIVE, MW_MOTION_CUMULATIVE,
                                     MW_MOTION_GENERATOR, MW_MOTION_GENERATOR_KEYS};
@@ -18,9 +18,9 @@ constexpr std::size_t control_count = 6, motion_count = 3;
 template <class T>
 class Motions {
 public:
-    using A = Api<T>;
-    using Motor = typename A::Motor;
-    using Motion = typename A::Motion;
+    using A = api<T>;
+    using Motor = typename A::motor;
+    using Motion = typename A::motion;
 
     explicit Motions(testing::Random &random) : random_(random)
     {
@@ -63,14 +63,14 @@ private:
         return {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], numbers[6], numbers[7]};
     }
 
-    typename A::Motors motors_at(Room<Motor> &room) { return A::motors_aos(room.get(), sizeof(Motor)); }
+    typename A::motors motors_at(Room<Motor> &room) { return A::motors_aos(room.get(), sizeof(Motor)); }
 
     void check(const Motion &motion)
     {
         std::size_t size = 0, where = 0;
         must(A::motion_size(&size, &motion, &where), "motion_size");
         Room<double> memory((size + 7) / 8);
-        const typename A::CompiledMotion *compiled;
+        const typename A::compiled_motion *compiled;
         must(A::compile_motion(&compiled, memory.get(), size, &motion, MW_DEFAULT, &where), "compile_motion");
         touch(memory.get(), size);
         T domain[2];
@@ -89,12 +89,12 @@ private:
         return parameters;
     }
 
-    void sample(const typename A::CompiledMotion *compiled, const T *domain, std::size_t count)
+    void sample(const typename A::compiled_motion *compiled, const T *domain, std::size_t count)
     {
         const std::vector<T> at = parameters(domain, count);
         Room<Motor> poses(count);
         Room<T> twists(6 * count);
-        const typename A::Bivectors bivectors = {twists.get(),
+        const typename A::bivectors bivectors = {twists.get(),
                                                  twists.get() + count,
                                                  twists.get() + 2 * count,
                                                  twists.get() + 3 * count,
@@ -120,7 +120,7 @@ private:
         twists.touch();
     }
 
-    void measure(const typename A::CompiledMotion *compiled, const T *domain)
+    void measure(const typename A::compiled_motion *compiled, const T *domain)
     {
         const std::vector<T> at = parameters(domain, 5);
         const T point[] = {1, 2, 3};
@@ -129,7 +129,7 @@ private:
         lengths.touch();
         must(A::motion_even_parameters(lengths.get(), compiled, 2, point, 5), "motion_even_parameters");
         lengths.touch();
-        typename A::MotionDistance distance;
+        typename A::motion_distance distance;
         must(A::compare_motions(&distance, compiled, 0, compiled, 1, A::const_xyz_aos(point, sizeof point), 1, 7),
              "compare_motions");
         touch(distance.distance);
@@ -137,7 +137,7 @@ private:
 
     template <class Apply, class Out, class In>
     void apply_to(const char *name, Apply function, Out *, In *, std::size_t components,
-                  const typename A::CompiledMotion *compiled, const T *domain)
+                  const typename A::compiled_motion *compiled, const T *domain)
     {
         constexpr std::size_t count = 5, rows = 3;
         const std::vector<T> at = parameters(domain, rows);
@@ -155,7 +155,7 @@ private:
         images.touch();
     }
 
-    void apply(const typename A::CompiledMotion *compiled, const T *domain);
+    void apply(const typename A::compiled_motion *compiled, const T *domain);
     void check_made();
 
     testing::Random &random_;
@@ -186,7 +186,7 @@ void Motions<T>::check_made()
     struct Arrays {
         Room<Motor> controls;
         Room<T> knots;
-        typename A::MotionArrays arrays;
+        typename A::motion_arrays arrays;
         Arrays(std::size_t c, std::size_t k) : controls(c), knots(k), arrays{controls.get(), c, knots.get(), k} {}
         void touch(const Motion &motion) const
         {
@@ -211,7 +211,7 @@ void Motions<T>::check_made()
         if (kind != MW_MOTION_ADDITIVE)
             continue;
         Motion changed, rest;
-        const typename A::MotionArrays none{};
+        const typename A::motion_arrays none{};
         A::insert_knot(&changed, none, &motion, T(3), 2);
         Arrays inserted(changed.control_count, changed.knot_count);
         must(A::insert_knot(&changed, inserted.arrays, &motion, T(3), 2), "insert_knot");

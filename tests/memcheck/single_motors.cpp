@@ -6,8 +6,7 @@
 namespace motorway::memcheck {
 namespace {
 
-using testing::Api;
-using testing::ConvertApi;
+using testing::api;
 
 template <class T>
 std::vector<T> numbers(std::size_t count)
@@ -22,12 +21,12 @@ std::vector<T> numbers(std::size_t count)
 template <class T>
 void check_makers()
 {
-    using A = Api<T>;
-    using C = ConvertApi<T>;
+    using A = api<T>;
+    using C = api<T>;
     const std::vector<T> three = numbers<T>(3), six = numbers<T>(6);
     const T axis[] = {0, T(0.6), T(0.8)};
-    Room<typename A::Motor> motor(1);
-    Room<typename C::Twist> twist(1);
+    Room<typename A::motor> motor(1);
+    Room<typename C::twist> twist(1);
     Room<T> position(3);
     must(A::translation(motor.get(), three.data()), "translation");
     motor.touch();
@@ -58,11 +57,11 @@ void check_checks()
             matrices.get()[i * (16 + gap) + k] = k % 5 == 0;
     std::size_t first_bad = 0;
     T deviation;
-    must(Api<T>::check_motors(
-             Api<T>::const_motors_aos(reinterpret_cast<typename Api<T>::Motor *>(motors.get()), sizeof(T[8 + gap])),
+    must(api<T>::check_motors(
+             api<T>::const_motors_aos(reinterpret_cast<typename api<T>::motor *>(motors.get()), sizeof(T[8 + gap])),
              count, &first_bad),
          "check_motors");
-    must(ConvertApi<T>::check_matrices({matrices.get(), sizeof(T[16 + gap]), MW_MATRIX_ROWS_4X4}, count, T(0.01),
+    must(api<T>::check_matrices({matrices.get(), sizeof(T[16 + gap]), MW_MATRIX_ROWS_4X4}, count, T(0.01),
                                        &first_bad, &deviation),
          "check_matrices");
     touch(deviation);
