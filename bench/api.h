@@ -1,7 +1,7 @@
 // The C API by precision and operand, so that a benchmark is written once for all of them.
 #pragma once
 
-#include "motorway.h"
+#include "motorway_views.h"
 #include "problem.h"
 
 #include <cstddef>
@@ -28,11 +28,11 @@ using f64 = double;
     template <> struct apply_functions<operand::name, P, P> {                                                        \
         using view = mw_##views##_##P;                                                                               \
         using const_view = mw_const_##views##_##P;                                                                   \
-        static constexpr auto one = mw_apply_##name##_one_##P;                                                       \
-        static constexpr auto each = mw_apply_##name##_each_##P;                                                     \
-        static constexpr auto grid = mw_apply_##name##_grid_##P;                                                     \
-        static constexpr auto indexed = mw_apply_##name##_indexed_##P;                                               \
-        static constexpr auto motion = mw_apply_##name##_motion_##P;                                                 \
+        static constexpr auto one = api<P>::apply_##name##_one;                                                       \
+        static constexpr auto each = api<P>::apply_##name##_each;                                                     \
+        static constexpr auto grid = api<P>::apply_##name##_grid;                                                     \
+        static constexpr auto indexed = api<P>::apply_##name##_indexed;                                               \
+        static constexpr auto motion = api<P>::apply_##name##_motion;                                                 \
     };
 MW_OPERANDS(MOTORWAY_APPLY_FUNCTIONS, f32)
 MW_OPERANDS(MOTORWAY_APPLY_FUNCTIONS, f64)
@@ -46,22 +46,22 @@ template <> struct apply_functions<operand::point, float, double> {
     static mw_status one(const view &out, const mw_motor_f64 *motor, const const_view &in, std::size_t count,
                          unsigned flags)
     {
-        return mw_apply_point_one_mixed(out, motor, &moved, in, count, flags);
+        return api<mixed>::apply_point_one(out, motor, &moved, in, count, flags);
     }
     static mw_status each(const view &out, const mw_const_motors_f64 &motors, const const_view &in,
                           std::size_t count, unsigned flags)
     {
-        return mw_apply_point_each_mixed(out, motors, &moved, in, count, flags);
+        return api<mixed>::apply_point_each(out, motors, &moved, in, count, flags);
     }
     static mw_status grid(const view &out, std::size_t row_stride, const mw_const_motors_f64 &motors,
                           std::size_t motor_count, const const_view &in, std::size_t count, unsigned flags)
     {
-        return mw_apply_point_grid_mixed(out, row_stride, motors, motor_count, &moved, in, count, flags);
+        return api<mixed>::apply_point_grid(out, row_stride, motors, motor_count, &moved, in, count, flags);
     }
     static mw_status indexed(const view &out, const mw_motor_f64 *palette, std::size_t palette_count,
                              const mw_indices &indices, const const_view &in, std::size_t count, unsigned flags)
     {
-        return mw_apply_point_indexed_mixed(out, palette, palette_count, indices, &moved, in, count, flags);
+        return api<mixed>::apply_point_indexed(out, palette, palette_count, indices, &moved, in, count, flags);
     }
 
 private:

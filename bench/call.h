@@ -96,7 +96,7 @@ work make_call(mw_status (*function)(P...), const problem<T> &problem, const arg
                const constants &constants)
 {
     parameters<T> parameters(problem, arguments, constants);
-    const std::tuple<P...> values{parameters.template next<P>()...}; // in braces: one after the other
+    const std::tuple<std::decay_t<P>...> values{parameters.template next<std::decay_t<P>>()...}; // in braces: one after the other
     return make_work([=] { require(std::apply(function, values)); });
 }
 

@@ -31,7 +31,7 @@ kernel make_map(F32 f32, F64 f64, std::vector<operand> out, std::vector<operand>
 using op = operand;
 #define MOTORWAY_MAP(name, ...) MOTORWAY_MAP_BY(name, name, __VA_ARGS__)
 #define MOTORWAY_MAP_BY(name, function, ...)                                                                         \
-    const kernel name = make_map(mw_##function##_f32, mw_##function##_f64, __VA_ARGS__);
+    const kernel name = make_map(api<float>::function, api<double>::function, __VA_ARGS__);
 
 MOTORWAY_MAP(compose_motor_each, {op::motor}, {op::motor, op::motor})
 MOTORWAY_MAP(compose_motor_one_first, {op::motor}, {op::motor})

@@ -1,6 +1,6 @@
 // motorway_bench: verifies, and then measures.
 #include "baseline.h"
-#include "motorway.h"
+#include "motorway_views.h"
 #include "options.h"
 #include "reporter.h"
 #include "suite.h"

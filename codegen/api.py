@@ -79,38 +79,96 @@ class Parameter:
     cpp: str = ""  # its declaration in C++, if it differs
     argument: str = ""  # what C++ hands to C; the name, if empty
     default: str = ""  # in C++, where parameters with one come last
+    # Of a view: what plain functions take instead, and what they hand on; or nothing, if there is no such function.
+    plain: Tuple[str, ...] = ()
+    plain_inner: str = ""
+    is_view: bool = False
 
-    def declaration(self, values: Dict[str, str]) -> str:
-        return self.c.format(name=self.name, **values)
+    def declarations(self, form: str, values: Dict[str, str]) -> Tuple[str, ...]:
+        texts = self.plain if self.is_view and form == PLAIN else (self.c,) if self.c else ()
+        return tuple(text.format(name=self.name, **values) for text in texts)
+
+    def handed_on(self, form: str, values: Dict[str, str]) -> str:
+        text = self.plain_inner if self.is_view and form == PLAIN else self.inner
+        return text.format(name=self.name, **values)
 
     def in_cpp(self, values: Dict[str, str]) -> str:
         return (self.cpp or self.c).format(name=self.name, **values)
 
 
+# The two forms of a function that takes arrays of elements: by pointers and strides, and by views of any layout.
+PLAIN, VIEWED = "plain", "views"
+
+
 def parameter(name: str, role: str, c: str, inner: str = "{name}", **more) -> Parameter:
-    return Parameter(name, role, c, inner.replace("{name}", name), **more)
+    return Parameter(name, role, c, inner, **more)
 
 
 # --------------------------------------------------------------------------------------------------- arrays and views
 
-
-def out(view: str, name: str = "out", inner: str = "view_of({name})") -> Parameter:
-    return parameter(name, f"output view {view}", f"mw_{view}_{{P}} {{name}}", inner)
+SINGULARS = {"matrices": "matrix", "indices": "index", "vertices": "vertex"}
 
 
-def given(view: str, name: str, inner: str = "view_of({name})") -> Parameter:
-    return parameter(name, f"input view {view}", f"mw_const_{view}_{{P}} {{name}}", inner,
-                     cpp=f"const_{view}<{{T}}> {{name}}")
+def one_of(name: str) -> str:
+    """`motors` -> `motor`."""
+    return SINGULARS.get(name) or (name[:-1] if name.endswith("s") else name)
 
 
-def matrices(name: str) -> Parameter:
-    return given("matrices", name, "matrices_of({name})")
+def view_parameter(name: str, kind: str, is_input: bool) -> Parameter:
+    """An array of elements: in plain functions a pointer to the first, and the bytes from one to the next."""
+    const, prefix = ("const ", "const_") if is_input else ("", "")
+    stride = f"{one_of(name)}_stride"
+    viewed = {
+        "role": f"{'input' if is_input else 'output'} view {kind}",
+        "c": f"const mw_{prefix}{kind}_{{P}} *{{name}}",
+        "cpp": f"const_{kind}<{{T}}> {{name}}" if is_input else f"mw_{kind}_{{P}} {{name}}",
+        "argument": f"&{name}",
+        "is_view": True,
+    }
+    if kind == "matrices":
+        layout = f"{one_of(name)}_layout"
+        return Parameter(
+            name, inner="matrices_of({name})", **viewed,
+            plain=(f"{const}{{T}} *{{name}}", f"size_t {stride}", f"mw_matrix_layout {layout}"),
+            plain_inner=f"motorway::matrices<{const}{{T}}>{{{{{{name}}, {stride}, {layout}}}}}",
+        )
+    if kind == "vertices":
+        parts = tuple(f"{name}_{part}" for part in ("positions", "normals"))
+        return Parameter(
+            name, inner="view_of({name})", **viewed,
+            plain=(*(f"{const}{{T}} *{part}" for part in parts), f"size_t {stride}"),
+            plain_inner=", ".join(f"adjacent<3>({part}, {stride})" for part in parts),
+        )
+    first = f"{const}mw_motor_{{P}} *{{name}}" if kind == "motors" else f"{const}{{T}} *{{name}}"
+    numbers = "numbers_of({name})" if kind == "motors" else "{name}"
+    return Parameter(
+        name, inner="view_of({name})", **viewed, plain=(first, f"size_t {stride}"),
+        plain_inner=f"adjacent<{len(VIEWS[kind])}>({numbers}, {stride})",
+    )
+
+
+def out(kind: str, name: str = "out") -> Parameter:
+    return view_parameter(name, kind, is_input=False)
+
+
+def given(kind: str, name: str) -> Parameter:
+    return view_parameter(name, kind, is_input=True)
 
 
 def motors_of_calls(name: str = "motors") -> Parameter:
     """Of functions that are mixed as well: motors are of their own precision."""
-    return parameter(name, "input view motors", "mw_const_motors_{M} {name}", "view_of({name})",
-                     cpp="const_motors<{U}> {name}")
+    motors = given("motors", name)
+
+    def own(text: str) -> str:
+        return text.replace("{P}", "{M}").replace("{T}", "{U}")
+
+    return replace(motors, c=own(motors.c), cpp=own(motors.cpp), plain=tuple(map(own, motors.plain)))
+
+
+def struct_of_views(kind: str, name: str, role: str, inner: str) -> Parameter:
+    """What only functions of views take: it has no plain form."""
+    return Parameter(name, role, f"const mw_{kind} *{{name}}", inner, cpp=f"{kind}<{{T}}> {{name}}".replace("_{P}", ""),
+                     argument=f"&{name}", is_view=True)
 
 
 def array(name: str) -> Parameter:
@@ -120,14 +178,14 @@ def array(name: str) -> Parameter:
 
 def packed(name: str) -> Parameter:
     """Numbers side by side, for functions that also take them with a stride."""
-    return parameter(name, "input numbers", "const {T} *{name}", "numbers<{T}>{{" + name + ", sizeof({T})}}")
+    return parameter(name, "input numbers", "const {T} *{name}", "numbers<{T}>{{{name}, sizeof({T})}}")
 
 
 def strided(name: str) -> Tuple[Parameter, Parameter]:
     """Numbers, and the bytes from one to the next; 0: one for all."""
-    stride = name[:-1] + "_stride"
+    stride = f"{one_of(name)}_stride"
     return (
-        parameter(name, "input numbers", "const {T} *{name}", "numbers<{T}>{{" + name + ", " + stride + "}}"),
+        parameter(name, "input numbers", "const {T} *{name}", f"numbers<{{T}}>{{{{{{name}}, {stride}}}}}"),
         parameter(stride, "stride", "size_t {name}", ""),
     )
 
@@ -162,8 +220,10 @@ def struct(kind: str, name: str) -> Parameter:
                      argument=f"&{name}")
 
 
-def by_value(kind: str, name: str, inner: str = "{name}") -> Parameter:
-    return parameter(name, f"input {kind}", f"mw_{kind}_{{P}} {{name}}", inner, cpp=f"{kind}<{{T}}> {{name}}")
+def arrays(name: str) -> Parameter:
+    """Where the controls and knots of a motion go."""
+    return parameter(name, "motion arrays", "const mw_motion_arrays_{P} *{name}", "arrays_of({name})",
+                     cpp="const motion_arrays<{T}> &{name}", argument=f"&{name}")
 
 
 def triple(name: str, length: int = 3, default: str = "") -> Parameter:
@@ -208,12 +268,23 @@ class Function:
     after_flags: Tuple[str, ...] = ()
     returns: str = "mw_status"
 
-    def symbol(self, precision: Precision) -> str:
-        return f"mw_{self.name}_{precision.suffix}" if precision.suffix else f"mw_{self.name}"
+    @property
+    def forms(self) -> Tuple[str, ...]:
+        """Without views there is one form, which is plain."""
+        views = [p for p in self.parameters if p.is_view]
+        has_plain = all(p.plain for p in views)
+        return ((PLAIN,) if has_plain else ()) + ((VIEWED,) if views else ())
+
+    def symbol(self, precision: Precision, form: str = PLAIN) -> str:
+        parts = ("mw", self.name, "views" if form == VIEWED else "", precision.suffix)
+        return "_".join(part for part in parts if part)
 
     @property
     def in_c(self) -> Tuple[Parameter, ...]:
         return tuple(p for p in self.parameters if p.c)
+
+    def declarations(self, form: str, precision: Precision) -> Tuple[str, ...]:
+        return tuple(text for p in self.in_c for text in p.declarations(form, precision.values))
 
     @property
     def in_cpp(self) -> Tuple[Parameter, ...]:
@@ -232,6 +303,14 @@ class Group:
     unit: str  # the file of src/ that has what they call
     errors: Tuple[str, ...] = ()  # statuses, some with a remark in parentheses
     also: str = ""  # a paragraph after the errors
+
+    @property
+    def has_views(self) -> bool:
+        return any(VIEWED in f.forms for f in self.functions)
+
+    @property
+    def only_views(self) -> bool:
+        return all(f.forms == (VIEWED,) for f in self.functions)
 
     def __post_init__(self):
         names = [f.name for f in self.functions]

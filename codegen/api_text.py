@@ -7,11 +7,11 @@ import re
 import textwrap
 from typing import Callable, Dict, Iterable, List, Sequence
 
-from api import BOTH, OPERANDS, SCALARS, VIEWS, Function, Group, Parameter, Precision
+from api import BOTH, MIXED, OPERANDS, PLAIN, SCALARS, VIEWED, VIEWS, Function, Group, Parameter, Precision
 from functions import apply, library, motions, motors, representations
 
 WIDTH = 118
-SUBJECTS = {"library": library, "motors": motors, "apply": apply, "representations": representations, "motions": motions}
+SUBJECTS = {"library": library, "apply": apply, "motors": motors, "representations": representations, "motions": motions}
 GROUPS = tuple(
     group for module in SUBJECTS.values() for group in vars(module).values() if isinstance(group, Group)
 )
@@ -67,28 +67,42 @@ def documentation(group: Group) -> str:
 # -------------------------------------------------------------------------------------------------------------------- C
 
 
-def head(function: Function, precision: Precision, end: str) -> List[str]:
-    parameters = [p.declaration(precision.values) for p in function.in_c] or ["void"]
-    return listed(typed(function.returns, function.symbol(precision)) + "(", parameters, ")" + end)
+def head(function: Function, precision: Precision, form: str, end: str) -> List[str]:
+    name = function.symbol(precision, form)
+    return listed(typed(function.returns, name) + "(", function.declarations(form, precision) or ["void"], ")" + end)
 
 
 def prototypes(group: Group) -> str:
-    lines = comment(documentation(group))
+    """The plain functions of a group, with what the manual says of it."""
+    return "\n".join(comment(documentation(group)) + declared(group, PLAIN))
+
+
+def prototypes_of_views(group: Group) -> str:
+    """Those that take views. The manual has their text, but for what has no plain form."""
+    lines = [] if PLAIN in group.functions[0].forms else comment(documentation(group))
+    return "\n".join(lines + declared(group, VIEWED))
+
+
+def declared(group: Group, form: str) -> List[str]:
+    lines = []
     for function in group.functions:
-        if function.text:
+        if form not in function.forms:
+            continue
+        if function.text and form == PLAIN:
             lines += ["", *comment(function.text[0].upper() + function.text[1:] + ".")]
         for precision in function.precisions:
-            lines += head(function, precision, ";")
-    return "\n".join(lines)
+            lines += head(function, precision, form, ";")
+    return lines
 
 
-def definition(function: Function, precision: Precision) -> str:
-    return "\n".join([*head(function, precision, ""), "{", *indented(inner_call(function, precision)), "}"])
+def definition(function: Function, precision: Precision, form: str) -> str:
+    call = indented(inner_call(function, precision, form))
+    return "\n".join([*head(function, precision, form, ""), "{", *call, "}"])
 
 
-def inner_call(function: Function, precision: Precision) -> List[str]:
+def inner_call(function: Function, precision: Precision, form: str) -> List[str]:
     def handed(parameters: Iterable[Parameter]) -> List[str]:
-        return [p.inner.format(name=p.name, **precision.values) for p in parameters if p.inner]
+        return [text for text in (p.handed_on(form, precision.values) for p in parameters) if text]
 
     arguments, parameters = ([function.first] if function.first else []), function.parameters
     if function.through in STREAM_CALLS:
@@ -134,10 +148,34 @@ def overload(function: Function, precision: Precision) -> str:
         [
             *listed(f"[[nodiscard]] inline {typed(returns, function.name)}(", [declared(p) for p in function.in_cpp], ")"),
             "{",
-            *indented(listed(f"return {function.symbol(precision)}(", arguments, ");")),
+            *indented(listed(f"return {function.symbol(precision, function.forms[-1])}(", arguments, ");")),
             "}",
         ]
     )
+
+
+def by_address(p: Parameter) -> bool:
+    """What C++ passes by value or reference, and C by address."""
+    return bool(p.argument) and (p.is_view or p.role == "motion arrays")
+
+
+def by_reference(function: Function, precision: Precision) -> List[str]:
+    """For tests: the function of views, which it takes by reference, so that they may be made on the way."""
+    form = function.forms[-1]
+    if not any(by_address(p) for p in function.in_c):
+        return [f"static constexpr auto {function.name} = {function.symbol(precision)};"]
+    declarations = [
+        p.c.format(name=p.name, **precision.values).replace(" *", " &") if by_address(p)
+        else p.declarations(form, precision.values)[0]
+        for p in function.in_c
+    ]
+    arguments = [f"&{p.name}" if by_address(p) else p.name for p in function.in_c]
+    return [
+        *listed(f"static {typed(function.returns, function.name)}(", declarations, ")"),
+        "{",
+        *indented(listed(f"return {function.symbol(precision, form)}(", arguments, ");")),
+        "}",
+    ]
 
 
 # ---------------------------------------------------------------------------------------------------------- for programs
@@ -148,20 +186,25 @@ def api_files(render: Callable[..., str]) -> Dict[str, str]:
     shared = {"views": VIEWS, "scalars": SCALARS, "groups": GROUPS, **SUBJECTS}
     files = {
         "src/motorway.h": with_contents(
-            render("motorway.h.j2", prototypes=prototypes, operand_list=operand_list, components_macro=components_macro,
-                   **shared)
+            render("motorway.h.j2", prototypes=prototypes, **shared)
+        ),
+        "src/motorway_views.h": render(
+            "motorway_views.h.j2", prototypes_of_views=prototypes_of_views, components_macro=components_macro,
+            operand_list=operand_list, **shared,
         ),
         "src/motorway.hpp": render("motorway.hpp.j2", overloads=overloads, **shared),
         "generated/views.inc": render("views.inc.j2", **shared),
         "generated/api.inc": render(
             "api.inc.j2", types=[*(c + v for v in VIEWS for c in ("", "const_")), *TYPES],
-            functions=[f.name for f in FUNCTIONS if f.precisions == BOTH], **shared,
+            by_precision={scalar: [by_reference(f, p) for f in FUNCTIONS for p in f.precisions if p.suffix == suffix]
+                          for suffix, scalar in [*SCALARS.items(), ("mixed", "mixed")]},
+            **shared,
         ),
         "generated/api.json": json.dumps(json_rows(), indent=1, ensure_ascii=False) + "\n",
     }
     for unit in sorted({group.unit for group in GROUPS}):
         functions = [f for group in GROUPS if group.unit == unit for f in group.functions]
-        definitions = [definition(f, p) for f in functions for p in f.precisions]
+        definitions = [definition(f, p, form) for f in functions for form in f.forms for p in f.precisions]
         files[f"generated/calls/{unit.replace('/', '_')}.inc"] = render(
             "calls.inc.j2", unit=unit, functions=definitions
         )
@@ -191,21 +234,23 @@ def unbroken(pieces: Sequence[str]) -> List[str]:
 
 def json_rows() -> List[Dict[str, object]]:
     return [
-        json_row(function, precision, group)
+        json_row(function, precision, form, group)
         for group in GROUPS
         for function in group.functions
+        for form in function.forms
         for precision in function.precisions
     ]
 
 
-def json_row(function: Function, precision: Precision, group: Group) -> Dict[str, object]:
+def json_row(function: Function, precision: Precision, form: str, group: Group) -> Dict[str, object]:
     return {
-        "name": function.symbol(precision),
+        "name": function.symbol(precision, form),
         "function": function.name,
+        "form": form,
         "precision": precision.suffix,
         "returns": function.returns,
         "parameters": [
-            {"name": p.name, "role": p.role, "c": p.declaration(precision.values)} for p in function.in_c
+            {"name": p.name, "role": p.role, "c": list(p.declarations(form, precision.values))} for p in function.in_c
         ],
         "errors": [spelled(status).partition(" ")[0] for status in group.errors],
         "text": function.text or group.text.split("\n\n")[0].replace("\n", " "),

@@ -321,11 +321,14 @@ def combination(terms) -> str:
 def write(files: Dict[str, str]) -> None:
     for path in orphans(files):
         path.unlink()
+    written = 0
     for name, text in files.items():
-        path = ROOT / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(text.encode("utf-8"))
-    print(f"generate.py: wrote {len(files)} files")
+        path, data = ROOT / name, text.encode("utf-8")
+        if not path.exists() or path.read_bytes() != data:  # else what depends on it would be built again
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(data)
+            written += 1
+    print(f"generate.py: wrote {written} of {len(files)} files, the others are as they were")
 
 
 def orphans(files: Dict[str, str]) -> List[Path]:

@@ -166,6 +166,8 @@ mw_status check_index_values(const mw_indices &indices, std::size_t count, std::
     }
 }
 
+mw_indices indices_of(const mw_indices *indices) { return indices ? *indices : mw_indices{nullptr, 0, MW_INDEX_U8}; }
+
 // Whether values are looked at, and where the first bad one goes.
 struct index_check {
     bool wanted = false;

@@ -1,6 +1,5 @@
 // Weighted sums of motors. Validate, look up, call, return a status.
 #include "dispatch.h"
-#include "motorway.h"
 #include "view.h"
 
 namespace motorway {
@@ -18,8 +17,8 @@ template <class T> struct blend_weights {
     }
 };
 
-inline blend_weights<float> weights_of(const mw_weights_f32 &w) { return {w.terms, w.stride}; }
-inline blend_weights<double> weights_of(const mw_weights_f64 &w) { return {w.terms, w.stride}; }
+blend_weights<float> weights_of(const mw_weights_f32 *w) { return {w ? w->terms : nullptr, w ? w->stride : 0}; }
+blend_weights<double> weights_of(const mw_weights_f64 *w) { return {w ? w->terms : nullptr, w ? w->stride : 0}; }
 
 template <class T>
 mw_status check_weights(const view<T, 8> &out, const blend_weights<T> &weights, std::size_t terms, std::size_t count)

@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <cstdlib>
-#include <cstring>
 
 namespace motorway {
 
@@ -49,10 +48,20 @@ std::size_t best_implementation()
     return best;
 }
 
+char small_letter(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+// In any case of letters. Names of instruction sets have small ones.
+bool is_named(const char *given, const char *isa)
+{
+    while (*isa && small_letter(*given) == *isa)
+        ++given, ++isa;
+    return *given == *isa;
+}
+
 const kernel_table *find_isa(const char *name)
 {
     for (std::size_t k = best_implementation(); k < implementation_count; ++k)
-        if (!name || std::strcmp(name, implementations[k].table->isa) == 0)
+        if (!name || is_named(name, implementations[k].table->isa))
             return implementations[k].table;
     return nullptr;
 }

@@ -28,13 +28,14 @@ template <class T, int N, int Parts> struct elements {
 
 // Elements of one view, or of the two of vertices.
 template <class T, int N> elements<T, N, 1> elements_of(const view<T, N> &v) { return {{v}}; }
-template <class View> auto elements_of(const View &v) -> decltype(elements_of(view_of(v)))
+template <class T, int N> elements<T, N, 2> elements_of(const view<T, N> &first, const view<T, N> &second)
 {
-    return elements_of(view_of(v));
+    return {{first, second}};
 }
-template <class Vertices> auto elements_of(const Vertices &v) -> elements<std::remove_pointer_t<decltype(v.normal.x)>, 3, 2>
+template <class View> auto elements_of(const View *v) -> decltype(elements_of(view_of(v))) { return elements_of(view_of(v)); }
+template <class Vertices> auto elements_of(const Vertices *v) -> decltype(elements_of(view_of(v->position), view_of(v->normal)))
 {
-    return {{view_of(v.position), view_of(v.normal)}};
+    return elements_of(view_of(v ? &v->position : nullptr), view_of(v ? &v->normal : nullptr));
 }
 
 // Streams as a kernel takes them. They point into what they were made of.

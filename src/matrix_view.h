@@ -1,7 +1,6 @@
 // Matrices as they are given: where each of their numbers is.
 #pragma once
 
-#include "motorway.h"
 #include "view.h"
 
 namespace motorway {
@@ -34,10 +33,10 @@ template <class T> struct matrices {
     }
 };
 
-// Of the public ones.
-inline matrices<float> matrices_of(const mw_matrices_f32 &m) { return {m.first, m.stride, m.layout}; }
-inline matrices<const float> matrices_of(const mw_const_matrices_f32 &m) { return {m.first, m.stride, m.layout}; }
-inline matrices<double> matrices_of(const mw_matrices_f64 &m) { return {m.first, m.stride, m.layout}; }
-inline matrices<const double> matrices_of(const mw_const_matrices_f64 &m) { return {m.first, m.stride, m.layout}; }
+// Of the public ones. A null one is of a layout that there is, so that the null is what is found.
+template <class Matrices> auto matrices_of(const Matrices *m) -> matrices<std::remove_pointer_t<decltype(m->first)>>
+{
+    return {m ? m->first : nullptr, m ? m->stride : 0, m ? m->layout : MW_MATRIX_ROWS_3X4};
+}
 
 } // namespace motorway

@@ -7,14 +7,13 @@
  *
  *     status
  *     flags
- *     data and views
+ *     data
  *     making motors
  *     applying motors
  *     combining motors
  *     exponentials, interpolation
  *     representations
  *     one twist
- *     blending motors
  *     motions
  *     making and editing motions
  *
@@ -28,40 +27,43 @@
  * normalised: a multiple of it, and a sum of motors, is a motor. Only α = 0 is none. The library takes a motor whose
  * α is finite and at least the smallest normal number of its precision; any other is called degenerate.
  *
- * VIEWS. Every array is given as a view: one base pointer a component, and the stride in bytes from an element to
- * the next. That covers packed arrays, vertex buffers with other attributes between, and one array a component:
+ * ARRAYS. Pass a pointer to the first element, and the stride: the number of bytes from one element to the next. The
+ * components of an element lie next to each other. Between two elements there may be anything:
  *
- *     mw_xyz_f32_aos(p, 12)        x y z x y z ...      a packed array of float[3]
- *     mw_xyz_f32_aos(p, 32)        x y z . . . . .      the position in a 32-byte vertex
- *     mw_xyz_f32_soa(x, y, z)      three arrays         stride 4
+ *     points, 12        x y z x y z ...      a packed array of float[3]
+ *     vertices, 32      x y z . . . . .      the position in a vertex of 32 bytes
+ *     motors, 32        an array of mw_motor_f32
  *
- * All three are fast paths, and a stride need not be a multiple of the alignment of the type. The components of one
- * view may not share bytes. A job takes elements [begin, begin + count) of a batch by mw_xyz_f32_from(view, begin),
- * which every view has; what the ranges give together is what the whole would, to the last bit.
+ *     // Move the vertices of a mesh, in place, by one motor:
+ *     mw_apply_point_one_f32(v[0].position, sizeof v[0], &motor, v[0].position, sizeof v[0], count, MW_DEFAULT);
  *
- * RULES that hold for every function unless its own text says otherwise:
- * - Units are the caller's; angles are radians. Right-handed rotations: from e1 to e2 about e3.
- * - `count` is the number of elements; 0 is allowed, reads and writes nothing, and then pointers may be null.
- * - Nothing is read but the elements of the inputs, nothing written but the elements of `out`: not a byte between
- *   or past them. Nothing at all is written unless MW_OK is returned.
- * - In place: an element of `out` may share bytes with the same element of an input, in any way, if both views have
- *   the same stride (or the count is 1) and the same precision. An input may be `out` itself, its components in the
- *   same order or in another; matrices may be written over the motors that they are made of, in slots of 16 numbers.
- *   Views that lie between each other in one buffer and have no byte in common are fine as well. What is
- *   MW_ERROR_OVERLAP: an element of `out` over another element of an input, over what a call reads as a whole (one
- *   motor, a palette, indices, controls, one parameter for all), or over another output.
- * - Time is linear in the count, and memory is constant: no function allocates, locks, starts a thread or keeps
- *   state. All may be called from any thread at once: split a batch over threads by _from.
- * - An element of the result depends on its own inputs alone, to the last bit: not on its place, the count, the
- *   alignment, the layout or the thread; nor on the instruction set within the class of those that fuse a multiply
- *   with an add (avx2, avx512, neon64) or of those that do not (scalar, sse2).
- * - NaN and infinity in an element stay in that element of the result.
- * - f32 functions compute in float, f64 functions in double. Each pair is described once, at its f32 form. `mixed`
- *   functions compute in double with motors of double and read and write floats.
+ * Any stride will do; it need not be a multiple of the size of a number. To work on a part of a batch, pass a pointer to
+ * its first element. Parts give what the whole gives, to the last bit.
+ * Does each component have an array of its own, or do they lie in another order? Then pass views: motorway_views.h.
  *
- * INSTRUCTION SETS are chosen when the library is first called, the widest that the CPU has. The environment
- * variable MOTORWAY_ISA (scalar, sse2, avx2, avx512 or neon64) overrides that; if it asks for one that cannot run
- * here every function that works on a batch returns MW_ERROR_ISA, whose text names those that can.
+ * RULES. They hold for every function, unless its own text says otherwise:
+ * - Units are yours. Angles are radians. Rotations are right-handed: from e1 to e2 about e3.
+ * - `count` is the number of elements. If it is 0, nothing is read or written, and pointers may be null.
+ * - A call reads the elements of its inputs and writes those of `out`, and no byte between or past them. If it does
+ *   not return MW_OK it has written nothing.
+ * - You may work in place. `out` may be an input. More exactly: an element of `out` may share bytes with the same
+ *   element of an input, in any way, if both have the same stride (or the count is 1) and the same precision. So
+ *   matrices may be written over the motors that they are made of, in slots of 16 numbers. Arrays that lie between each
+ *   other in one buffer, and have no byte in common, are fine as well.
+ *   It is MW_ERROR_OVERLAP if an element of `out` shares a byte with another element of an input; with another output;
+ *   or with what a call reads as a whole: one motor, a palette, indices, controls, one parameter for all.
+ * - No function allocates, locks, starts a thread or keeps state. Call them from any thread, also on parts of one batch
+ *   at once. Time is linear in the count.
+ * - A result depends on its own inputs alone, to the last bit: not on its place, the count, the alignment, the layout or
+ *   the thread. It is the same on all instruction sets that fuse a multiply with an add (avx2, avx512, neon64), and the
+ *   same on all that do not (scalar, sse2).
+ * - NaN or infinity in one element stays in that element of the result.
+ * - f32 functions compute in float, f64 functions in double. Each pair is described once. `mixed` functions compute in
+ *   double: motors are double, elements are float.
+ *
+ * INSTRUCTION SETS. The first call chooses the widest that the CPU has. The environment variable MOTORWAY_ISA (scalar,
+ * sse2, avx2, avx512 or neon64, in any case of letters) overrides that. If it asks for one that cannot run here, every function that works on a
+ * batch returns MW_ERROR_ISA, whose text names those that can.
  */
 #ifndef MOTORWAY_H
 #define MOTORWAY_H
@@ -72,19 +74,13 @@
 #define MW_VERSION_MAJOR 0
 #define MW_VERSION_MINOR 1
 #define MW_VERSION_PATCH 0
+#define MW_VERSION (10000 * MW_VERSION_MAJOR + 100 * MW_VERSION_MINOR + MW_VERSION_PATCH)
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 #ifdef __GNUC__
 #pragma GCC visibility push(default)
-#endif
-
-/* In C++ a cast that no compiler warns of. */
-#ifdef __cplusplus
-#define MW_CAST(type, value) reinterpret_cast<type>(value)
-#else
-#define MW_CAST(type, value) ((type)(value))
 #endif
 
 /* Of an enumeration: four bytes, with -fshort-enums too, so that a program and the library always agree. */
@@ -99,7 +95,7 @@ extern "C" {
 typedef enum MW_ENUMERATION mw_status {
     MW_OK = 0,
     MW_ERROR_NULL,             /* a null pointer with a nonzero count */
-    MW_ERROR_STRIDE,           /* a stride smaller than the element: components of one view share bytes */
+    MW_ERROR_STRIDE,           /* a stride smaller than the element: components share bytes */
     MW_ERROR_SIZE,             /* count times stride overflows the address space */
     MW_ERROR_OVERLAP,          /* `out` shares bytes with an input, and not in place; or with another output */
     MW_ERROR_FLAGS,            /* a flag that this function does not know, or two that contradict each other */
@@ -131,9 +127,12 @@ typedef enum MW_ENUMERATION mw_status {
     MW_ERROR_ISA               /* MOTORWAY_ISA names an instruction set that cannot run here */
 } mw_status;
 
+/* The version of the library that is linked, as 10000 * major + 100 * minor + patch. MW_VERSION is that of the header. */
+unsigned mw_version(void);
+
 /* What a status means and what to do about it: one line of English without a line end, never null, valid forever.
  * For MW_ERROR_ISA it names the instruction sets that can run here. */
-const char *mw_status_text(mw_status status);
+const char *mw_status_text(mw_status of);
 
 /* The name of the instruction set in use, "avx2" say; null if MOTORWAY_ISA asked for one that cannot run here. */
 const char *mw_isa(void);
@@ -145,15 +144,15 @@ const char *mw_isas(void);
 
 enum {
     MW_DEFAULT = 0,
-    /* The caller promises that every motor is normalised, S̄S = 1 to rounding. That saves a division an element where
-     * each has its own motor, and nothing elsewhere. If one is not, its results are wrong: points move by α times as
-     * much as they should. */
+    /* You promise that every motor is normalised: S̄S = 1, to rounding. That saves one division per element where each has
+     * a motor of its own, and nothing elsewhere. If a motor is not, its results are wrong: points move α times as far as
+     * they should. */
     MW_UNIT_MOTORS = 1,
-    /* Results go past the caches straight to memory, or never do. Without either flag they do where that is faster:
-     * if the call moves more bytes than MW_STREAMING_BYTES, out of place. Only points, directions and vertices can,
-     * if they are packed or one array a component; a grid only row by row; and only if some element of all components
-     * begins a cache line, which takes bases that are multiples of sizeof(T) and agree modulo 64. The flag is no
-     * error where they cannot. It never changes a result. */
+    /* Results go past the caches straight to memory; or never do. Without either flag they do where that is faster: out
+     * of place, in calls that move more than MW_STREAMING_BYTES. Only points, directions and vertices can, if they are
+     * packed or have one array per component; a grid only row by row; and only if some element begins a cache line in
+     * all components: bases are multiples of sizeof(T) and agree modulo 64. Where they cannot, the flag is no error. It
+     * never changes a result. */
     MW_STREAMING_STORES = 2,
     MW_NO_STREAMING_STORES = 4,
     /* Interpolation takes the long way round: by the rotation of more than a half turn. */
@@ -162,14 +161,14 @@ enum {
     MW_NEAREST_ROTATION = 16,
     /* Controls of a motion keep their signs: S and -S are the same pose, but the ways between poses differ. */
     MW_KEEP_SIGNS = 32,
-    /* What becomes of parameters outside the domain of a motion, which are errors otherwise: the nearer end of it, or
-     * the domain repeated for ever. */
+    /* Parameters outside the domain of a motion are errors. With one of these they are taken for the nearer end of it, or
+     * the domain is repeated for ever. */
     MW_CLAMP_PARAMETERS = 64,
     MW_WRAP_PARAMETERS = 128,
     /* Twists in the frame of the moving body, not of the space. */
     MW_BODY_FRAME = 256,
-    /* The caller promises that every matrix is a rotation and a translation, as mw_check_matrices finds it with the
-     * tolerance below. None is looked at. If one is not, its motor is wrong: of a matrix with the scale 2, a rotation
+    /* You promise that every matrix is a rotation and a translation, as mw_check_matrices finds it with the tolerance
+     * below. None is looked at. If one is not, its motor is wrong: of a matrix with the scale 2, a rotation
      * by another angle. */
     MW_ROTATION_MATRICES = 512
 };
@@ -182,194 +181,16 @@ enum {
 #define MW_MATRIX_TOLERANCE_F32 1.8e-4f
 #define MW_MATRIX_TOLERANCE_F64 1.8e-6
 
-/* What a call reads and writes together from which on its results bypass the caches. */
+/* Results of calls that read and write more bytes than this bypass the caches. */
 enum { MW_STREAMING_BYTES = 32 << 20 };
 
-/* -------------------------------------------------------------------------------------------- data and views --- */
+/* -------------------------------------------------------------------------------------------------- data --- */
 
 typedef struct mw_motor_f32 { float s, b12, b13, b23, b1i, b2i, b3i, w; } mw_motor_f32;
 typedef struct mw_motor_f64 { double s, b12, b13, b23, b1i, b2i, b3i, w; } mw_motor_f64;
 
-/* The views, each in four versions: mw_xyz_f32 and mw_xyz_f64, and mw_const_xyz_f32 and mw_const_xyz_f64 for inputs.
- * They have a pointer a component and the stride: component c of element i is at byte offset i * stride from c.
- *
- *     mw_xyz       x y z                          points and directions
- *     mw_xyzw      x y z w                        tangents: a direction, and a w that stays what it is
- *     mw_vectors   e0 e1 e2 e3 ei                 grade 1: points, spheres and planes (ei: the coefficient of e∞)
- *     mw_lines     dx dy dz mx my mz              Plücker: the direction d, and the moment p × d of any point p on it
- *     mw_motors    s b12 b13 b23 b1i b2i b3i w    motors, in the order of the paper
- *     mw_bivectors b12 b13 b23 b1i b2i b3i        logarithms of motors, twists
- *     mw_dual_quaternions rx ry rz rw dx dy dz dw   the real quaternion, then the dual one
- *     mw_screws    ax ay az px py pz angle distance   the axis, a point on it, the angle about it, the way along it
- *
- * They are made by
- *     mw_[const_]xyz_f32_aos(first, stride)    components adjacent at `first`, `stride` bytes from element to element;
- *                                              `first` points to a float, or for motors to a mw_motor_f32
- *     mw_[const_]xyz_f32_soa(components)       one array a component: an array of as many pointers, in that order;
- *                                              for xyz alone three arguments, x, y and z
- *     mw_[const_]xyz_f32_from(view, begin)     the elements of a view from number `begin` on
- *     mw_[const_]xyzw_f32_wxyz(first, stride)  quaternions that lie in memory as w x y z; as fast as x y z w. And
- *                                              mw_[const_]dual_quaternions_f32_wxyz: both quaternions so
- * and the same for f64. They check nothing. */
-#define MW_COMPONENTS_xyz(use, T) \
-    use(x, T) use(y, T) use(z, T)
-#define MW_COMPONENTS_xyzw(use, T) \
-    use(x, T) use(y, T) use(z, T) use(w, T)
-#define MW_COMPONENTS_vectors(use, T) \
-    use(e0, T) use(e1, T) use(e2, T) use(e3, T) use(ei, T)
-#define MW_COMPONENTS_lines(use, T) \
-    use(dx, T) use(dy, T) use(dz, T) use(mx, T) use(my, T) use(mz, T)
-#define MW_COMPONENTS_motors(use, T) \
-    use(s, T) use(b12, T) use(b13, T) use(b23, T) use(b1i, T) use(b2i, T) use(b3i, T) use(w, T)
-#define MW_COMPONENTS_bivectors(use, T) \
-    use(b12, T) use(b13, T) use(b23, T) use(b1i, T) use(b2i, T) use(b3i, T)
-#define MW_COMPONENTS_dual_quaternions(use, T) \
-    use(rx, T) use(ry, T) use(rz, T) use(rw, T) use(dx, T) use(dy, T) use(dz, T) use(dw, T)
-#define MW_COMPONENTS_screws(use, T) \
-    use(ax, T) use(ay, T) use(az, T) use(px, T) use(py, T) use(pz, T) use(angle, T) use(distance, T)
-
-#define MW_DECLARE(component, T) T *component;
-#define MW_SET_NUMBER(component, T) view.component = first ? first + k++ : NULL;
-#define MW_SET_MEMBER(component, T) view.component = first ? &first->component : NULL;
-#define MW_SET_ARRAY(component, T) view.component = components[k++];
-#define MW_ADVANCE(component, T)                                                                                      \
-    if (view.component)                                                                                               \
-        view.component = MW_CAST(T *, MW_CAST(uintptr_t, view.component) + begin * view.stride);
-
-#define MW_DEFINE_VIEW(view_type, components_of, T, element, set, soa)                                                \
-    typedef struct view_type { components_of(MW_DECLARE, T) size_t stride; } view_type;                               \
-    static inline view_type view_type##_aos(element *first, size_t stride)                                            \
-    {                                                                                                                 \
-        view_type view;                                                                                               \
-        int k = 0;                                                                                                    \
-        components_of(set, T) view.stride = stride;                                                                   \
-        (void)k;                                                                                                      \
-        return view;                                                                                                  \
-    }                                                                                                                 \
-    static inline view_type view_type##soa(T *const *components)                                                      \
-    {                                                                                                                 \
-        view_type view;                                                                                               \
-        int k = 0;                                                                                                    \
-        components_of(MW_SET_ARRAY, T) view.stride = sizeof(T);                                                       \
-        return view;                                                                                                  \
-    }                                                                                                                 \
-    static inline view_type view_type##_from(view_type view, size_t begin)                                            \
-    {                                                                                                                 \
-        components_of(MW_ADVANCE, T) return view;                                                                     \
-    }
-
-/* Of every view, the four versions. `element` is what its packed form is an array of: of numbers, or of structs whose
- * members are the components. */
-#define MW_DEFINE_VIEWS(name, element_f32, element_f64, set, soa)                                                     \
-    MW_DEFINE_VIEW(mw_##name##_f32, MW_COMPONENTS_##name, float, element_f32, set, soa)                               \
-    MW_DEFINE_VIEW(mw_##name##_f64, MW_COMPONENTS_##name, double, element_f64, set, soa)                              \
-    MW_DEFINE_VIEW(mw_const_##name##_f32, MW_COMPONENTS_##name, const float, const element_f32, set, soa)             \
-    MW_DEFINE_VIEW(mw_const_##name##_f64, MW_COMPONENTS_##name, const double, const element_f64, set, soa)
-
-MW_DEFINE_VIEWS(xyz, float, double, MW_SET_NUMBER, _soa_of)
-MW_DEFINE_VIEWS(xyzw, float, double, MW_SET_NUMBER, _soa)
-MW_DEFINE_VIEWS(vectors, float, double, MW_SET_NUMBER, _soa)
-MW_DEFINE_VIEWS(lines, float, double, MW_SET_NUMBER, _soa)
-MW_DEFINE_VIEWS(motors, mw_motor_f32, mw_motor_f64, MW_SET_MEMBER, _soa)
-MW_DEFINE_VIEWS(bivectors, float, double, MW_SET_NUMBER, _soa)
-MW_DEFINE_VIEWS(dual_quaternions, float, double, MW_SET_NUMBER, _soa)
-MW_DEFINE_VIEWS(screws, float, double, MW_SET_NUMBER, _soa)
-
-#define MW_DEFINE_XYZ_SOA(view_type, T)                                                                               \
-    static inline view_type view_type##_soa(T *x, T *y, T *z)                                                         \
-    {                                                                                                                 \
-        T *components[3];                                                                                             \
-        components[0] = x, components[1] = y, components[2] = z;                                                      \
-        return view_type##_soa_of(components);                                                                        \
-    }
-MW_DEFINE_XYZ_SOA(mw_xyz_f32, float)
-MW_DEFINE_XYZ_SOA(mw_xyz_f64, double)
-MW_DEFINE_XYZ_SOA(mw_const_xyz_f32, const float)
-MW_DEFINE_XYZ_SOA(mw_const_xyz_f64, const double)
-
-#define MW_DEFINE_WXYZ(quaternions, dual_quaternions, T)                                                              \
-    static inline quaternions quaternions##_wxyz(T *first, size_t stride)                                             \
-    {                                                                                                                 \
-        quaternions view = quaternions##_aos(first, stride);                                                          \
-        view.w = first, view.x = view.y, view.y = view.z, view.z = first ? first + 3 : first;                         \
-        return view;                                                                                                  \
-    }                                                                                                                 \
-    static inline dual_quaternions dual_quaternions##_wxyz(T *first, size_t stride)                                   \
-    {                                                                                                                 \
-        dual_quaternions view = dual_quaternions##_aos(first, stride);                                                \
-        view.rw = first, view.rx = view.ry, view.ry = view.rz, view.rz = first ? first + 3 : first;                   \
-        view.dw = view.dx, view.dx = view.dy, view.dy = view.dz, view.dz = first ? first + 7 : first;                 \
-        return view;                                                                                                  \
-    }
-MW_DEFINE_WXYZ(mw_xyzw_f32, mw_dual_quaternions_f32, float)
-MW_DEFINE_WXYZ(mw_xyzw_f64, mw_dual_quaternions_f64, double)
-MW_DEFINE_WXYZ(mw_const_xyzw_f32, mw_const_dual_quaternions_f32, const float)
-MW_DEFINE_WXYZ(mw_const_xyzw_f64, mw_const_dual_quaternions_f64, const double)
-
-/* Positions and normals of vertices, each a view of its own: of one interleaved buffer
- *     {mw_xyz_f32_aos(&vertex[0].position, sizeof vertex[0]), mw_xyz_f32_aos(&vertex[0].normal, sizeof vertex[0])}
- * or wherever they lie. mw_[const_]vertices_f32_from(view, begin), and the same for f64. */
-#define MW_DEFINE_VERTICES(view_type, xyz_type)                                                                       \
-    typedef struct view_type { xyz_type position, normal; } view_type;                                                \
-    static inline view_type view_type##_from(view_type view, size_t begin)                                            \
-    {                                                                                                                 \
-        view.position = xyz_type##_from(view.position, begin);                                                        \
-        view.normal = xyz_type##_from(view.normal, begin);                                                            \
-        return view;                                                                                                  \
-    }
-MW_DEFINE_VERTICES(mw_vertices_f32, mw_xyz_f32)
-MW_DEFINE_VERTICES(mw_vertices_f64, mw_xyz_f64)
-MW_DEFINE_VERTICES(mw_const_vertices_f32, mw_const_xyz_f32)
-MW_DEFINE_VERTICES(mw_const_vertices_f64, mw_const_xyz_f64)
-
-#undef MW_COMPONENTS_xyz
-#undef MW_COMPONENTS_xyzw
-#undef MW_COMPONENTS_vectors
-#undef MW_COMPONENTS_lines
-#undef MW_COMPONENTS_motors
-#undef MW_COMPONENTS_bivectors
-#undef MW_COMPONENTS_dual_quaternions
-#undef MW_COMPONENTS_screws
-#undef MW_DECLARE
-#undef MW_SET_NUMBER
-#undef MW_SET_MEMBER
-#undef MW_SET_ARRAY
-#undef MW_ADVANCE
-#undef MW_DEFINE_VIEW
-#undef MW_DEFINE_VIEWS
-#undef MW_DEFINE_XYZ_SOA
-#undef MW_DEFINE_WXYZ
-#undef MW_DEFINE_VERTICES
-
-/* One index an element, into a palette of motors: at byte offset i * stride from `first`, of any alignment, so that it
- * may be a field of a vertex. */
+/* One index per element, into a palette of motors. Indices may lie anywhere, so that one may be a field of a vertex. */
 typedef enum MW_ENUMERATION mw_index_type { MW_INDEX_U8 = 1, MW_INDEX_U16 = 2, MW_INDEX_U32 = 4 } mw_index_type;
-typedef struct mw_indices { const void *first; size_t stride; mw_index_type type; } mw_indices;
-
-static inline mw_indices mw_indices_u8(const uint8_t *first, size_t stride)
-{
-    mw_indices indices;
-    indices.first = first, indices.stride = stride, indices.type = MW_INDEX_U8;
-    return indices;
-}
-static inline mw_indices mw_indices_u16(const uint16_t *first, size_t stride)
-{
-    mw_indices indices;
-    indices.first = first, indices.stride = stride, indices.type = MW_INDEX_U16;
-    return indices;
-}
-static inline mw_indices mw_indices_u32(const uint32_t *first, size_t stride)
-{
-    mw_indices indices;
-    indices.first = first, indices.stride = stride, indices.type = MW_INDEX_U32;
-    return indices;
-}
-static inline mw_indices mw_indices_from(mw_indices indices, size_t begin)
-{
-    if (indices.first)
-        indices.first = MW_CAST(const char *, indices.first) + begin * indices.stride;
-    return indices;
-}
 
 /* Matrices of rotations and translations, which act on columns: p' = R p + t. Element (r, c) of matrix i is at byte
  * offset i * stride from first[4 r + c] where rows are adjacent, from first[3 c + r] or first[4 c + r] where columns
@@ -382,18 +203,6 @@ typedef enum MW_ENUMERATION mw_matrix_layout {
     MW_MATRIX_COLUMNS_3X4,  /* 12 numbers: r00 r10 r20  r01 ...  tx ty tz */
     MW_MATRIX_COLUMNS_4X4   /* 16 numbers: r00 r10 r20 0  r01 ...  tx ty tz 1 */
 } mw_matrix_layout;
-typedef struct mw_matrices_f32 { float *first; size_t stride; mw_matrix_layout layout; } mw_matrices_f32;
-typedef struct mw_matrices_f64 { double *first; size_t stride; mw_matrix_layout layout; } mw_matrices_f64;
-typedef struct mw_const_matrices_f32 {
-    const float *first;
-    size_t stride;
-    mw_matrix_layout layout;
-} mw_const_matrices_f32;
-typedef struct mw_const_matrices_f64 {
-    const double *first;
-    size_t stride;
-    mw_matrix_layout layout;
-} mw_const_matrices_f64;
 
 /* Three angles, about the axes in the order named, each axis turned by the rotations before it (intrinsic). About axes
  * that stay fixed, the same three angles in the opposite order are the same rotation: fixed x, y, z is
@@ -420,22 +229,23 @@ mw_status mw_rotation_f64(mw_motor_f64 *out, const double axis[3], double angle,
  * pointer is null) is the index of the first. The batched functions below do not make this pass: they turn a
  * degenerate motor into results that are not finite or meaningless, in that element alone.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_DEGENERATE_MOTOR. */
-mw_status mw_check_motors_f32(mw_const_motors_f32 motors, size_t count, size_t *first_bad);
-mw_status mw_check_motors_f64(mw_const_motors_f64 motors, size_t count, size_t *first_bad);
+mw_status mw_check_motors_f32(const mw_motor_f32 *motors, size_t motor_stride, size_t count, size_t *first_bad);
+mw_status mw_check_motors_f64(const mw_motor_f64 *motors, size_t motor_stride, size_t count, size_t *first_bad);
 
 /* ------------------------------------------------------------------------------------------ applying motors --- */
 
 /* mw_apply_<operand>_<pairing>_<precision>: every operand in every pairing.
  *
- *     operand     view          what becomes of an element under the motor S (the paper's section 3)
- *     point       mw_xyz        F_S(p): rotated and translated
- *     direction   mw_xyz        rotated: normals, velocities
- *     tangent     mw_xyzw       x y z rotated, w passed through, as glTF and engines store tangents
- *     vertex      mw_vertices   a point and a direction in one pass
- *     vector      mw_vectors    moved as a whole: of a point, a sphere or a plane the same of its image
- *     line        mw_lines      the line through the images of its points; its length is kept
- *     motor       mw_motors     T^-1 M T of the motor M under T: the same motion about the moved place
- *     bivector    mw_bivectors  S^-1 B S: the logarithm of a motor, or a twist, moved likewise (the adjoint action).
+ *     operand     numbers       what becomes of an element under the motor S (the paper's section 3)
+ *     point       x y z         F_S(p): rotated and translated
+ *     direction   x y z         rotated: normals, velocities
+ *     tangent     x y z w       x y z rotated, w passed through, as glTF and engines store tangents
+ *     vertex      2 of x y z    a point and a direction in one pass: the position and the normal
+ *     vector      e0 ... e3 ei  moved as a whole: of a point, a sphere or a plane the same of its image
+ *     line        d, then m     Plücker: the direction, and the moment p × d of any point p on it. The line through the
+ *                               images of its points; its length is kept
+ *     motor       mw_motor      T^-1 M T of the motor M under T: the same motion about the moved place
+ *     bivector    b12 ... b3i   S^-1 B S: the logarithm of a motor, or a twist, moved likewise (the adjoint action).
  *                               In Plücker coordinates, as a twist (ω, velocity of the origin) or a wrench (force,
  *                               torque about the origin), it is a line
  *
@@ -445,8 +255,8 @@ mw_status mw_check_motors_f64(mw_const_motors_f64 motors, size_t count, size_t *
  *     indexed     under palette[indices[i]]: rigid parts, instances
  *     grid        under motors[m], for every m: out holds motor_count rows of count elements, and row m begins
  *                 m * row_stride bytes after row 0. Rows one after the other (motor-major) have row_stride >= count *
- *                 out.stride; elements one after the other (point-major), each with its motor_count images side by
- *                 side, have out.stride >= motor_count * row_stride. One of the two must hold.
+ *                 out_stride; elements one after the other (point-major), each with its motor_count images side by
+ *                 side, have out_stride >= motor_count * row_stride. One of the two must hold.
  *
  * Motors need not be normalised, in any of them. Flags: MW_UNIT_MOTORS, MW_STREAMING_STORES, MW_NO_STREAMING_STORES.
  *
@@ -464,265 +274,331 @@ mw_status mw_check_motors_f64(mw_const_motors_f64 motors, size_t count, size_t *
  * (one), MW_ERROR_INDEX (indexed_checked), MW_ERROR_INDEX_TYPE (indexed, indexed_checked). */
 
 /* All points under one motor. */
-mw_status mw_apply_point_one_f32(mw_xyz_f32 out, const mw_motor_f32 *motor, mw_const_xyz_f32 in, size_t count,
-                                 unsigned flags);
-mw_status mw_apply_point_one_f64(mw_xyz_f64 out, const mw_motor_f64 *motor, mw_const_xyz_f64 in, size_t count,
-                                 unsigned flags);
+mw_status mw_apply_point_one_f32(float *out, size_t out_stride, const mw_motor_f32 *motor, const float *in,
+                                 size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_point_one_f64(double *out, size_t out_stride, const mw_motor_f64 *motor, const double *in,
+                                 size_t in_stride, size_t count, unsigned flags);
 
 /* Each point under a motor of its own. */
-mw_status mw_apply_point_each_f32(mw_xyz_f32 out, mw_const_motors_f32 motors, mw_const_xyz_f32 in, size_t count,
-                                  unsigned flags);
-mw_status mw_apply_point_each_f64(mw_xyz_f64 out, mw_const_motors_f64 motors, mw_const_xyz_f64 in, size_t count,
-                                  unsigned flags);
+mw_status mw_apply_point_each_f32(float *out, size_t out_stride, const mw_motor_f32 *motors, size_t motor_stride,
+                                  const float *in, size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_point_each_f64(double *out, size_t out_stride, const mw_motor_f64 *motors, size_t motor_stride,
+                                  const double *in, size_t in_stride, size_t count, unsigned flags);
 
 /* All points under every motor. */
-mw_status mw_apply_point_grid_f32(mw_xyz_f32 out, size_t row_stride, mw_const_motors_f32 motors, size_t motor_count,
-                                  mw_const_xyz_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_point_grid_f64(mw_xyz_f64 out, size_t row_stride, mw_const_motors_f64 motors, size_t motor_count,
-                                  mw_const_xyz_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_point_grid_f32(float *out, size_t out_stride, size_t row_stride, const mw_motor_f32 *motors,
+                                  size_t motor_stride, size_t motor_count, const float *in, size_t in_stride,
+                                  size_t count, unsigned flags);
+mw_status mw_apply_point_grid_f64(double *out, size_t out_stride, size_t row_stride, const mw_motor_f64 *motors,
+                                  size_t motor_stride, size_t motor_count, const double *in, size_t in_stride,
+                                  size_t count, unsigned flags);
 
 /* Each point under the motor of a palette that its index names. */
-mw_status mw_apply_point_indexed_f32(mw_xyz_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                     mw_indices indices, mw_const_xyz_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_point_indexed_f64(mw_xyz_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                     mw_indices indices, mw_const_xyz_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_point_indexed_f32(float *out, size_t out_stride, const mw_motor_f32 *palette, size_t palette_count,
+                                     const void *indices, size_t index_stride, mw_index_type index_type,
+                                     const float *in, size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_point_indexed_f64(double *out, size_t out_stride, const mw_motor_f64 *palette,
+                                     size_t palette_count, const void *indices, size_t index_stride,
+                                     mw_index_type index_type, const double *in, size_t in_stride, size_t count,
+                                     unsigned flags);
 
 /* The same after a look at all indices. */
-mw_status mw_apply_point_indexed_checked_f32(mw_xyz_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                             mw_indices indices, mw_const_xyz_f32 in, size_t count, unsigned flags,
-                                             size_t *first_bad);
-mw_status mw_apply_point_indexed_checked_f64(mw_xyz_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                             mw_indices indices, mw_const_xyz_f64 in, size_t count, unsigned flags,
-                                             size_t *first_bad);
+mw_status mw_apply_point_indexed_checked_f32(float *out, size_t out_stride, const mw_motor_f32 *palette,
+                                             size_t palette_count, const void *indices, size_t index_stride,
+                                             mw_index_type index_type, const float *in, size_t in_stride,
+                                             size_t count, unsigned flags, size_t *first_bad);
+mw_status mw_apply_point_indexed_checked_f64(double *out, size_t out_stride, const mw_motor_f64 *palette,
+                                             size_t palette_count, const void *indices, size_t index_stride,
+                                             mw_index_type index_type, const double *in, size_t in_stride,
+                                             size_t count, unsigned flags, size_t *first_bad);
 
 /* All directions under one motor. */
-mw_status mw_apply_direction_one_f32(mw_xyz_f32 out, const mw_motor_f32 *motor, mw_const_xyz_f32 in, size_t count,
-                                     unsigned flags);
-mw_status mw_apply_direction_one_f64(mw_xyz_f64 out, const mw_motor_f64 *motor, mw_const_xyz_f64 in, size_t count,
-                                     unsigned flags);
+mw_status mw_apply_direction_one_f32(float *out, size_t out_stride, const mw_motor_f32 *motor, const float *in,
+                                     size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_direction_one_f64(double *out, size_t out_stride, const mw_motor_f64 *motor, const double *in,
+                                     size_t in_stride, size_t count, unsigned flags);
 
 /* Each direction under a motor of its own. */
-mw_status mw_apply_direction_each_f32(mw_xyz_f32 out, mw_const_motors_f32 motors, mw_const_xyz_f32 in, size_t count,
-                                      unsigned flags);
-mw_status mw_apply_direction_each_f64(mw_xyz_f64 out, mw_const_motors_f64 motors, mw_const_xyz_f64 in, size_t count,
-                                      unsigned flags);
+mw_status mw_apply_direction_each_f32(float *out, size_t out_stride, const mw_motor_f32 *motors, size_t motor_stride,
+                                      const float *in, size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_direction_each_f64(double *out, size_t out_stride, const mw_motor_f64 *motors, size_t motor_stride,
+                                      const double *in, size_t in_stride, size_t count, unsigned flags);
 
 /* All directions under every motor. */
-mw_status mw_apply_direction_grid_f32(mw_xyz_f32 out, size_t row_stride, mw_const_motors_f32 motors,
-                                      size_t motor_count, mw_const_xyz_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_direction_grid_f64(mw_xyz_f64 out, size_t row_stride, mw_const_motors_f64 motors,
-                                      size_t motor_count, mw_const_xyz_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_direction_grid_f32(float *out, size_t out_stride, size_t row_stride, const mw_motor_f32 *motors,
+                                      size_t motor_stride, size_t motor_count, const float *in, size_t in_stride,
+                                      size_t count, unsigned flags);
+mw_status mw_apply_direction_grid_f64(double *out, size_t out_stride, size_t row_stride, const mw_motor_f64 *motors,
+                                      size_t motor_stride, size_t motor_count, const double *in, size_t in_stride,
+                                      size_t count, unsigned flags);
 
 /* Each direction under the motor of a palette that its index names. */
-mw_status mw_apply_direction_indexed_f32(mw_xyz_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                         mw_indices indices, mw_const_xyz_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_direction_indexed_f64(mw_xyz_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                         mw_indices indices, mw_const_xyz_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_direction_indexed_f32(float *out, size_t out_stride, const mw_motor_f32 *palette,
+                                         size_t palette_count, const void *indices, size_t index_stride,
+                                         mw_index_type index_type, const float *in, size_t in_stride, size_t count,
+                                         unsigned flags);
+mw_status mw_apply_direction_indexed_f64(double *out, size_t out_stride, const mw_motor_f64 *palette,
+                                         size_t palette_count, const void *indices, size_t index_stride,
+                                         mw_index_type index_type, const double *in, size_t in_stride, size_t count,
+                                         unsigned flags);
 
 /* The same after a look at all indices. */
-mw_status mw_apply_direction_indexed_checked_f32(mw_xyz_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                                 mw_indices indices, mw_const_xyz_f32 in, size_t count,
-                                                 unsigned flags, size_t *first_bad);
-mw_status mw_apply_direction_indexed_checked_f64(mw_xyz_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                                 mw_indices indices, mw_const_xyz_f64 in, size_t count,
-                                                 unsigned flags, size_t *first_bad);
+mw_status mw_apply_direction_indexed_checked_f32(float *out, size_t out_stride, const mw_motor_f32 *palette,
+                                                 size_t palette_count, const void *indices, size_t index_stride,
+                                                 mw_index_type index_type, const float *in, size_t in_stride,
+                                                 size_t count, unsigned flags, size_t *first_bad);
+mw_status mw_apply_direction_indexed_checked_f64(double *out, size_t out_stride, const mw_motor_f64 *palette,
+                                                 size_t palette_count, const void *indices, size_t index_stride,
+                                                 mw_index_type index_type, const double *in, size_t in_stride,
+                                                 size_t count, unsigned flags, size_t *first_bad);
 
 /* All tangents under one motor. */
-mw_status mw_apply_tangent_one_f32(mw_xyzw_f32 out, const mw_motor_f32 *motor, mw_const_xyzw_f32 in, size_t count,
-                                   unsigned flags);
-mw_status mw_apply_tangent_one_f64(mw_xyzw_f64 out, const mw_motor_f64 *motor, mw_const_xyzw_f64 in, size_t count,
-                                   unsigned flags);
+mw_status mw_apply_tangent_one_f32(float *out, size_t out_stride, const mw_motor_f32 *motor, const float *in,
+                                   size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_tangent_one_f64(double *out, size_t out_stride, const mw_motor_f64 *motor, const double *in,
+                                   size_t in_stride, size_t count, unsigned flags);
 
 /* Each tangent under a motor of its own. */
-mw_status mw_apply_tangent_each_f32(mw_xyzw_f32 out, mw_const_motors_f32 motors, mw_const_xyzw_f32 in, size_t count,
-                                    unsigned flags);
-mw_status mw_apply_tangent_each_f64(mw_xyzw_f64 out, mw_const_motors_f64 motors, mw_const_xyzw_f64 in, size_t count,
-                                    unsigned flags);
+mw_status mw_apply_tangent_each_f32(float *out, size_t out_stride, const mw_motor_f32 *motors, size_t motor_stride,
+                                    const float *in, size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_tangent_each_f64(double *out, size_t out_stride, const mw_motor_f64 *motors, size_t motor_stride,
+                                    const double *in, size_t in_stride, size_t count, unsigned flags);
 
 /* All tangents under every motor. */
-mw_status mw_apply_tangent_grid_f32(mw_xyzw_f32 out, size_t row_stride, mw_const_motors_f32 motors,
-                                    size_t motor_count, mw_const_xyzw_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_tangent_grid_f64(mw_xyzw_f64 out, size_t row_stride, mw_const_motors_f64 motors,
-                                    size_t motor_count, mw_const_xyzw_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_tangent_grid_f32(float *out, size_t out_stride, size_t row_stride, const mw_motor_f32 *motors,
+                                    size_t motor_stride, size_t motor_count, const float *in, size_t in_stride,
+                                    size_t count, unsigned flags);
+mw_status mw_apply_tangent_grid_f64(double *out, size_t out_stride, size_t row_stride, const mw_motor_f64 *motors,
+                                    size_t motor_stride, size_t motor_count, const double *in, size_t in_stride,
+                                    size_t count, unsigned flags);
 
 /* Each tangent under the motor of a palette that its index names. */
-mw_status mw_apply_tangent_indexed_f32(mw_xyzw_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                       mw_indices indices, mw_const_xyzw_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_tangent_indexed_f64(mw_xyzw_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                       mw_indices indices, mw_const_xyzw_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_tangent_indexed_f32(float *out, size_t out_stride, const mw_motor_f32 *palette,
+                                       size_t palette_count, const void *indices, size_t index_stride,
+                                       mw_index_type index_type, const float *in, size_t in_stride, size_t count,
+                                       unsigned flags);
+mw_status mw_apply_tangent_indexed_f64(double *out, size_t out_stride, const mw_motor_f64 *palette,
+                                       size_t palette_count, const void *indices, size_t index_stride,
+                                       mw_index_type index_type, const double *in, size_t in_stride, size_t count,
+                                       unsigned flags);
 
 /* The same after a look at all indices. */
-mw_status mw_apply_tangent_indexed_checked_f32(mw_xyzw_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                               mw_indices indices, mw_const_xyzw_f32 in, size_t count, unsigned flags,
-                                               size_t *first_bad);
-mw_status mw_apply_tangent_indexed_checked_f64(mw_xyzw_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                               mw_indices indices, mw_const_xyzw_f64 in, size_t count, unsigned flags,
-                                               size_t *first_bad);
+mw_status mw_apply_tangent_indexed_checked_f32(float *out, size_t out_stride, const mw_motor_f32 *palette,
+                                               size_t palette_count, const void *indices, size_t index_stride,
+                                               mw_index_type index_type, const float *in, size_t in_stride,
+                                               size_t count, unsigned flags, size_t *first_bad);
+mw_status mw_apply_tangent_indexed_checked_f64(double *out, size_t out_stride, const mw_motor_f64 *palette,
+                                               size_t palette_count, const void *indices, size_t index_stride,
+                                               mw_index_type index_type, const double *in, size_t in_stride,
+                                               size_t count, unsigned flags, size_t *first_bad);
 
 /* All vertices under one motor. */
-mw_status mw_apply_vertex_one_f32(mw_vertices_f32 out, const mw_motor_f32 *motor, mw_const_vertices_f32 in,
-                                  size_t count, unsigned flags);
-mw_status mw_apply_vertex_one_f64(mw_vertices_f64 out, const mw_motor_f64 *motor, mw_const_vertices_f64 in,
-                                  size_t count, unsigned flags);
+mw_status mw_apply_vertex_one_f32(float *out_positions, float *out_normals, size_t out_stride,
+                                  const mw_motor_f32 *motor, const float *in_positions, const float *in_normals,
+                                  size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_vertex_one_f64(double *out_positions, double *out_normals, size_t out_stride,
+                                  const mw_motor_f64 *motor, const double *in_positions, const double *in_normals,
+                                  size_t in_stride, size_t count, unsigned flags);
 
 /* Each vertex under a motor of its own. */
-mw_status mw_apply_vertex_each_f32(mw_vertices_f32 out, mw_const_motors_f32 motors, mw_const_vertices_f32 in,
-                                   size_t count, unsigned flags);
-mw_status mw_apply_vertex_each_f64(mw_vertices_f64 out, mw_const_motors_f64 motors, mw_const_vertices_f64 in,
-                                   size_t count, unsigned flags);
+mw_status mw_apply_vertex_each_f32(float *out_positions, float *out_normals, size_t out_stride,
+                                   const mw_motor_f32 *motors, size_t motor_stride, const float *in_positions,
+                                   const float *in_normals, size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_vertex_each_f64(double *out_positions, double *out_normals, size_t out_stride,
+                                   const mw_motor_f64 *motors, size_t motor_stride, const double *in_positions,
+                                   const double *in_normals, size_t in_stride, size_t count, unsigned flags);
 
 /* All vertices under every motor. */
-mw_status mw_apply_vertex_grid_f32(mw_vertices_f32 out, size_t row_stride, mw_const_motors_f32 motors,
-                                   size_t motor_count, mw_const_vertices_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_vertex_grid_f64(mw_vertices_f64 out, size_t row_stride, mw_const_motors_f64 motors,
-                                   size_t motor_count, mw_const_vertices_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_vertex_grid_f32(float *out_positions, float *out_normals, size_t out_stride, size_t row_stride,
+                                   const mw_motor_f32 *motors, size_t motor_stride, size_t motor_count,
+                                   const float *in_positions, const float *in_normals, size_t in_stride, size_t count,
+                                   unsigned flags);
+mw_status mw_apply_vertex_grid_f64(double *out_positions, double *out_normals, size_t out_stride, size_t row_stride,
+                                   const mw_motor_f64 *motors, size_t motor_stride, size_t motor_count,
+                                   const double *in_positions, const double *in_normals, size_t in_stride,
+                                   size_t count, unsigned flags);
 
 /* Each vertex under the motor of a palette that its index names. */
-mw_status mw_apply_vertex_indexed_f32(mw_vertices_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                      mw_indices indices, mw_const_vertices_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_vertex_indexed_f64(mw_vertices_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                      mw_indices indices, mw_const_vertices_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_vertex_indexed_f32(float *out_positions, float *out_normals, size_t out_stride,
+                                      const mw_motor_f32 *palette, size_t palette_count, const void *indices,
+                                      size_t index_stride, mw_index_type index_type, const float *in_positions,
+                                      const float *in_normals, size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_vertex_indexed_f64(double *out_positions, double *out_normals, size_t out_stride,
+                                      const mw_motor_f64 *palette, size_t palette_count, const void *indices,
+                                      size_t index_stride, mw_index_type index_type, const double *in_positions,
+                                      const double *in_normals, size_t in_stride, size_t count, unsigned flags);
 
 /* The same after a look at all indices. */
-mw_status mw_apply_vertex_indexed_checked_f32(mw_vertices_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                              mw_indices indices, mw_const_vertices_f32 in, size_t count,
-                                              unsigned flags, size_t *first_bad);
-mw_status mw_apply_vertex_indexed_checked_f64(mw_vertices_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                              mw_indices indices, mw_const_vertices_f64 in, size_t count,
-                                              unsigned flags, size_t *first_bad);
+mw_status mw_apply_vertex_indexed_checked_f32(float *out_positions, float *out_normals, size_t out_stride,
+                                              const mw_motor_f32 *palette, size_t palette_count, const void *indices,
+                                              size_t index_stride, mw_index_type index_type,
+                                              const float *in_positions, const float *in_normals, size_t in_stride,
+                                              size_t count, unsigned flags, size_t *first_bad);
+mw_status mw_apply_vertex_indexed_checked_f64(double *out_positions, double *out_normals, size_t out_stride,
+                                              const mw_motor_f64 *palette, size_t palette_count, const void *indices,
+                                              size_t index_stride, mw_index_type index_type,
+                                              const double *in_positions, const double *in_normals, size_t in_stride,
+                                              size_t count, unsigned flags, size_t *first_bad);
 
 /* All vectors under one motor. */
-mw_status mw_apply_vector_one_f32(mw_vectors_f32 out, const mw_motor_f32 *motor, mw_const_vectors_f32 in,
-                                  size_t count, unsigned flags);
-mw_status mw_apply_vector_one_f64(mw_vectors_f64 out, const mw_motor_f64 *motor, mw_const_vectors_f64 in,
-                                  size_t count, unsigned flags);
+mw_status mw_apply_vector_one_f32(float *out, size_t out_stride, const mw_motor_f32 *motor, const float *in,
+                                  size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_vector_one_f64(double *out, size_t out_stride, const mw_motor_f64 *motor, const double *in,
+                                  size_t in_stride, size_t count, unsigned flags);
 
 /* Each vector under a motor of its own. */
-mw_status mw_apply_vector_each_f32(mw_vectors_f32 out, mw_const_motors_f32 motors, mw_const_vectors_f32 in,
-                                   size_t count, unsigned flags);
-mw_status mw_apply_vector_each_f64(mw_vectors_f64 out, mw_const_motors_f64 motors, mw_const_vectors_f64 in,
-                                   size_t count, unsigned flags);
+mw_status mw_apply_vector_each_f32(float *out, size_t out_stride, const mw_motor_f32 *motors, size_t motor_stride,
+                                   const float *in, size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_vector_each_f64(double *out, size_t out_stride, const mw_motor_f64 *motors, size_t motor_stride,
+                                   const double *in, size_t in_stride, size_t count, unsigned flags);
 
 /* All vectors under every motor. */
-mw_status mw_apply_vector_grid_f32(mw_vectors_f32 out, size_t row_stride, mw_const_motors_f32 motors,
-                                   size_t motor_count, mw_const_vectors_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_vector_grid_f64(mw_vectors_f64 out, size_t row_stride, mw_const_motors_f64 motors,
-                                   size_t motor_count, mw_const_vectors_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_vector_grid_f32(float *out, size_t out_stride, size_t row_stride, const mw_motor_f32 *motors,
+                                   size_t motor_stride, size_t motor_count, const float *in, size_t in_stride,
+                                   size_t count, unsigned flags);
+mw_status mw_apply_vector_grid_f64(double *out, size_t out_stride, size_t row_stride, const mw_motor_f64 *motors,
+                                   size_t motor_stride, size_t motor_count, const double *in, size_t in_stride,
+                                   size_t count, unsigned flags);
 
 /* Each vector under the motor of a palette that its index names. */
-mw_status mw_apply_vector_indexed_f32(mw_vectors_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                      mw_indices indices, mw_const_vectors_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_vector_indexed_f64(mw_vectors_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                      mw_indices indices, mw_const_vectors_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_vector_indexed_f32(float *out, size_t out_stride, const mw_motor_f32 *palette,
+                                      size_t palette_count, const void *indices, size_t index_stride,
+                                      mw_index_type index_type, const float *in, size_t in_stride, size_t count,
+                                      unsigned flags);
+mw_status mw_apply_vector_indexed_f64(double *out, size_t out_stride, const mw_motor_f64 *palette,
+                                      size_t palette_count, const void *indices, size_t index_stride,
+                                      mw_index_type index_type, const double *in, size_t in_stride, size_t count,
+                                      unsigned flags);
 
 /* The same after a look at all indices. */
-mw_status mw_apply_vector_indexed_checked_f32(mw_vectors_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                              mw_indices indices, mw_const_vectors_f32 in, size_t count,
-                                              unsigned flags, size_t *first_bad);
-mw_status mw_apply_vector_indexed_checked_f64(mw_vectors_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                              mw_indices indices, mw_const_vectors_f64 in, size_t count,
-                                              unsigned flags, size_t *first_bad);
+mw_status mw_apply_vector_indexed_checked_f32(float *out, size_t out_stride, const mw_motor_f32 *palette,
+                                              size_t palette_count, const void *indices, size_t index_stride,
+                                              mw_index_type index_type, const float *in, size_t in_stride,
+                                              size_t count, unsigned flags, size_t *first_bad);
+mw_status mw_apply_vector_indexed_checked_f64(double *out, size_t out_stride, const mw_motor_f64 *palette,
+                                              size_t palette_count, const void *indices, size_t index_stride,
+                                              mw_index_type index_type, const double *in, size_t in_stride,
+                                              size_t count, unsigned flags, size_t *first_bad);
 
 /* All lines under one motor. */
-mw_status mw_apply_line_one_f32(mw_lines_f32 out, const mw_motor_f32 *motor, mw_const_lines_f32 in, size_t count,
-                                unsigned flags);
-mw_status mw_apply_line_one_f64(mw_lines_f64 out, const mw_motor_f64 *motor, mw_const_lines_f64 in, size_t count,
-                                unsigned flags);
+mw_status mw_apply_line_one_f32(float *out, size_t out_stride, const mw_motor_f32 *motor, const float *in,
+                                size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_line_one_f64(double *out, size_t out_stride, const mw_motor_f64 *motor, const double *in,
+                                size_t in_stride, size_t count, unsigned flags);
 
 /* Each line under a motor of its own. */
-mw_status mw_apply_line_each_f32(mw_lines_f32 out, mw_const_motors_f32 motors, mw_const_lines_f32 in, size_t count,
-                                 unsigned flags);
-mw_status mw_apply_line_each_f64(mw_lines_f64 out, mw_const_motors_f64 motors, mw_const_lines_f64 in, size_t count,
-                                 unsigned flags);
+mw_status mw_apply_line_each_f32(float *out, size_t out_stride, const mw_motor_f32 *motors, size_t motor_stride,
+                                 const float *in, size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_line_each_f64(double *out, size_t out_stride, const mw_motor_f64 *motors, size_t motor_stride,
+                                 const double *in, size_t in_stride, size_t count, unsigned flags);
 
 /* All lines under every motor. */
-mw_status mw_apply_line_grid_f32(mw_lines_f32 out, size_t row_stride, mw_const_motors_f32 motors, size_t motor_count,
-                                 mw_const_lines_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_line_grid_f64(mw_lines_f64 out, size_t row_stride, mw_const_motors_f64 motors, size_t motor_count,
-                                 mw_const_lines_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_line_grid_f32(float *out, size_t out_stride, size_t row_stride, const mw_motor_f32 *motors,
+                                 size_t motor_stride, size_t motor_count, const float *in, size_t in_stride,
+                                 size_t count, unsigned flags);
+mw_status mw_apply_line_grid_f64(double *out, size_t out_stride, size_t row_stride, const mw_motor_f64 *motors,
+                                 size_t motor_stride, size_t motor_count, const double *in, size_t in_stride,
+                                 size_t count, unsigned flags);
 
 /* Each line under the motor of a palette that its index names. */
-mw_status mw_apply_line_indexed_f32(mw_lines_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                    mw_indices indices, mw_const_lines_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_line_indexed_f64(mw_lines_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                    mw_indices indices, mw_const_lines_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_line_indexed_f32(float *out, size_t out_stride, const mw_motor_f32 *palette, size_t palette_count,
+                                    const void *indices, size_t index_stride, mw_index_type index_type,
+                                    const float *in, size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_line_indexed_f64(double *out, size_t out_stride, const mw_motor_f64 *palette, size_t palette_count,
+                                    const void *indices, size_t index_stride, mw_index_type index_type,
+                                    const double *in, size_t in_stride, size_t count, unsigned flags);
 
 /* The same after a look at all indices. */
-mw_status mw_apply_line_indexed_checked_f32(mw_lines_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                            mw_indices indices, mw_const_lines_f32 in, size_t count, unsigned flags,
-                                            size_t *first_bad);
-mw_status mw_apply_line_indexed_checked_f64(mw_lines_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                            mw_indices indices, mw_const_lines_f64 in, size_t count, unsigned flags,
-                                            size_t *first_bad);
+mw_status mw_apply_line_indexed_checked_f32(float *out, size_t out_stride, const mw_motor_f32 *palette,
+                                            size_t palette_count, const void *indices, size_t index_stride,
+                                            mw_index_type index_type, const float *in, size_t in_stride, size_t count,
+                                            unsigned flags, size_t *first_bad);
+mw_status mw_apply_line_indexed_checked_f64(double *out, size_t out_stride, const mw_motor_f64 *palette,
+                                            size_t palette_count, const void *indices, size_t index_stride,
+                                            mw_index_type index_type, const double *in, size_t in_stride,
+                                            size_t count, unsigned flags, size_t *first_bad);
 
 /* All motors under one motor. */
-mw_status mw_apply_motor_one_f32(mw_motors_f32 out, const mw_motor_f32 *motor, mw_const_motors_f32 in, size_t count,
-                                 unsigned flags);
-mw_status mw_apply_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *motor, mw_const_motors_f64 in, size_t count,
-                                 unsigned flags);
+mw_status mw_apply_motor_one_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *motor,
+                                 const mw_motor_f32 *in, size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_motor_one_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *motor,
+                                 const mw_motor_f64 *in, size_t in_stride, size_t count, unsigned flags);
 
 /* Each motor under a motor of its own. */
-mw_status mw_apply_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, mw_const_motors_f32 in, size_t count,
+mw_status mw_apply_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *motors,
+                                  size_t motor_stride, const mw_motor_f32 *in, size_t in_stride, size_t count,
                                   unsigned flags);
-mw_status mw_apply_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, mw_const_motors_f64 in, size_t count,
+mw_status mw_apply_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *motors,
+                                  size_t motor_stride, const mw_motor_f64 *in, size_t in_stride, size_t count,
                                   unsigned flags);
 
 /* All motors under every motor. */
-mw_status mw_apply_motor_grid_f32(mw_motors_f32 out, size_t row_stride, mw_const_motors_f32 motors,
-                                  size_t motor_count, mw_const_motors_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_motor_grid_f64(mw_motors_f64 out, size_t row_stride, mw_const_motors_f64 motors,
-                                  size_t motor_count, mw_const_motors_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_motor_grid_f32(mw_motor_f32 *out, size_t out_stride, size_t row_stride, const mw_motor_f32 *motors,
+                                  size_t motor_stride, size_t motor_count, const mw_motor_f32 *in, size_t in_stride,
+                                  size_t count, unsigned flags);
+mw_status mw_apply_motor_grid_f64(mw_motor_f64 *out, size_t out_stride, size_t row_stride, const mw_motor_f64 *motors,
+                                  size_t motor_stride, size_t motor_count, const mw_motor_f64 *in, size_t in_stride,
+                                  size_t count, unsigned flags);
 
 /* Each motor under the motor of a palette that its index names. */
-mw_status mw_apply_motor_indexed_f32(mw_motors_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                     mw_indices indices, mw_const_motors_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_motor_indexed_f64(mw_motors_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                     mw_indices indices, mw_const_motors_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_motor_indexed_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *palette,
+                                     size_t palette_count, const void *indices, size_t index_stride,
+                                     mw_index_type index_type, const mw_motor_f32 *in, size_t in_stride, size_t count,
+                                     unsigned flags);
+mw_status mw_apply_motor_indexed_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *palette,
+                                     size_t palette_count, const void *indices, size_t index_stride,
+                                     mw_index_type index_type, const mw_motor_f64 *in, size_t in_stride, size_t count,
+                                     unsigned flags);
 
 /* The same after a look at all indices. */
-mw_status mw_apply_motor_indexed_checked_f32(mw_motors_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                             mw_indices indices, mw_const_motors_f32 in, size_t count, unsigned flags,
-                                             size_t *first_bad);
-mw_status mw_apply_motor_indexed_checked_f64(mw_motors_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                             mw_indices indices, mw_const_motors_f64 in, size_t count, unsigned flags,
-                                             size_t *first_bad);
+mw_status mw_apply_motor_indexed_checked_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *palette,
+                                             size_t palette_count, const void *indices, size_t index_stride,
+                                             mw_index_type index_type, const mw_motor_f32 *in, size_t in_stride,
+                                             size_t count, unsigned flags, size_t *first_bad);
+mw_status mw_apply_motor_indexed_checked_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *palette,
+                                             size_t palette_count, const void *indices, size_t index_stride,
+                                             mw_index_type index_type, const mw_motor_f64 *in, size_t in_stride,
+                                             size_t count, unsigned flags, size_t *first_bad);
 
 /* All bivectors under one motor. */
-mw_status mw_apply_bivector_one_f32(mw_bivectors_f32 out, const mw_motor_f32 *motor, mw_const_bivectors_f32 in,
-                                    size_t count, unsigned flags);
-mw_status mw_apply_bivector_one_f64(mw_bivectors_f64 out, const mw_motor_f64 *motor, mw_const_bivectors_f64 in,
-                                    size_t count, unsigned flags);
+mw_status mw_apply_bivector_one_f32(float *out, size_t out_stride, const mw_motor_f32 *motor, const float *in,
+                                    size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_bivector_one_f64(double *out, size_t out_stride, const mw_motor_f64 *motor, const double *in,
+                                    size_t in_stride, size_t count, unsigned flags);
 
 /* Each bivector under a motor of its own. */
-mw_status mw_apply_bivector_each_f32(mw_bivectors_f32 out, mw_const_motors_f32 motors, mw_const_bivectors_f32 in,
-                                     size_t count, unsigned flags);
-mw_status mw_apply_bivector_each_f64(mw_bivectors_f64 out, mw_const_motors_f64 motors, mw_const_bivectors_f64 in,
-                                     size_t count, unsigned flags);
+mw_status mw_apply_bivector_each_f32(float *out, size_t out_stride, const mw_motor_f32 *motors, size_t motor_stride,
+                                     const float *in, size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_bivector_each_f64(double *out, size_t out_stride, const mw_motor_f64 *motors, size_t motor_stride,
+                                     const double *in, size_t in_stride, size_t count, unsigned flags);
 
 /* All bivectors under every motor. */
-mw_status mw_apply_bivector_grid_f32(mw_bivectors_f32 out, size_t row_stride, mw_const_motors_f32 motors,
-                                     size_t motor_count, mw_const_bivectors_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_bivector_grid_f64(mw_bivectors_f64 out, size_t row_stride, mw_const_motors_f64 motors,
-                                     size_t motor_count, mw_const_bivectors_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_bivector_grid_f32(float *out, size_t out_stride, size_t row_stride, const mw_motor_f32 *motors,
+                                     size_t motor_stride, size_t motor_count, const float *in, size_t in_stride,
+                                     size_t count, unsigned flags);
+mw_status mw_apply_bivector_grid_f64(double *out, size_t out_stride, size_t row_stride, const mw_motor_f64 *motors,
+                                     size_t motor_stride, size_t motor_count, const double *in, size_t in_stride,
+                                     size_t count, unsigned flags);
 
 /* Each bivector under the motor of a palette that its index names. */
-mw_status mw_apply_bivector_indexed_f32(mw_bivectors_f32 out, const mw_motor_f32 *palette, size_t palette_count,
-                                        mw_indices indices, mw_const_bivectors_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_bivector_indexed_f64(mw_bivectors_f64 out, const mw_motor_f64 *palette, size_t palette_count,
-                                        mw_indices indices, mw_const_bivectors_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_bivector_indexed_f32(float *out, size_t out_stride, const mw_motor_f32 *palette,
+                                        size_t palette_count, const void *indices, size_t index_stride,
+                                        mw_index_type index_type, const float *in, size_t in_stride, size_t count,
+                                        unsigned flags);
+mw_status mw_apply_bivector_indexed_f64(double *out, size_t out_stride, const mw_motor_f64 *palette,
+                                        size_t palette_count, const void *indices, size_t index_stride,
+                                        mw_index_type index_type, const double *in, size_t in_stride, size_t count,
+                                        unsigned flags);
 
 /* The same after a look at all indices. */
-mw_status mw_apply_bivector_indexed_checked_f32(mw_bivectors_f32 out, const mw_motor_f32 *palette,
-                                                size_t palette_count, mw_indices indices, mw_const_bivectors_f32 in,
+mw_status mw_apply_bivector_indexed_checked_f32(float *out, size_t out_stride, const mw_motor_f32 *palette,
+                                                size_t palette_count, const void *indices, size_t index_stride,
+                                                mw_index_type index_type, const float *in, size_t in_stride,
                                                 size_t count, unsigned flags, size_t *first_bad);
-mw_status mw_apply_bivector_indexed_checked_f64(mw_bivectors_f64 out, const mw_motor_f64 *palette,
-                                                size_t palette_count, mw_indices indices, mw_const_bivectors_f64 in,
+mw_status mw_apply_bivector_indexed_checked_f64(double *out, size_t out_stride, const mw_motor_f64 *palette,
+                                                size_t palette_count, const void *indices, size_t index_stride,
+                                                mw_index_type index_type, const double *in, size_t in_stride,
                                                 size_t count, unsigned flags, size_t *first_bad);
-
-/* The list of operands, for whoever wants to say something of each. */
-#define MW_OPERANDS(use, P) \
-    use(point, xyz, P) use(direction, xyz, P) use(tangent, xyzw, P) use(vertex, vertices, P) use(vector, vectors, P) \
-    use(line, lines, P) use(motor, motors, P) use(bivector, bivectors, P)
 
 /* Two offsets of points, below. */
 typedef struct mw_shift { double before[3], after[3]; } mw_shift;
@@ -735,96 +611,109 @@ typedef struct mw_shift { double before[3], after[3]; } mw_shift;
  * (one), MW_ERROR_INDEX (indexed_checked), MW_ERROR_INDEX_TYPE (indexed, indexed_checked). */
 
 /* All points under one motor. */
-mw_status mw_apply_point_one_mixed(mw_xyz_f32 out, const mw_motor_f64 *motor, const mw_shift *shift,
-                                   mw_const_xyz_f32 points, size_t count, unsigned flags);
+mw_status mw_apply_point_one_mixed(float *out, size_t out_stride, const mw_motor_f64 *motor, const mw_shift *shift,
+                                   const float *points, size_t point_stride, size_t count, unsigned flags);
 
 /* Each point under a motor of its own. */
-mw_status mw_apply_point_each_mixed(mw_xyz_f32 out, mw_const_motors_f64 motors, const mw_shift *shift,
-                                    mw_const_xyz_f32 points, size_t count, unsigned flags);
+mw_status mw_apply_point_each_mixed(float *out, size_t out_stride, const mw_motor_f64 *motors, size_t motor_stride,
+                                    const mw_shift *shift, const float *points, size_t point_stride, size_t count,
+                                    unsigned flags);
 
 /* All points under every motor. */
-mw_status mw_apply_point_grid_mixed(mw_xyz_f32 out, size_t row_stride, mw_const_motors_f64 motors, size_t motor_count,
-                                    const mw_shift *shift, mw_const_xyz_f32 points, size_t count, unsigned flags);
+mw_status mw_apply_point_grid_mixed(float *out, size_t out_stride, size_t row_stride, const mw_motor_f64 *motors,
+                                    size_t motor_stride, size_t motor_count, const mw_shift *shift,
+                                    const float *points, size_t point_stride, size_t count, unsigned flags);
 
 /* Each point under the motor of a palette that its index names. */
-mw_status mw_apply_point_indexed_mixed(mw_xyz_f32 out, const mw_motor_f64 *palette, size_t palette_count,
-                                       mw_indices indices, const mw_shift *shift, mw_const_xyz_f32 points,
-                                       size_t count, unsigned flags);
+mw_status mw_apply_point_indexed_mixed(float *out, size_t out_stride, const mw_motor_f64 *palette,
+                                       size_t palette_count, const void *indices, size_t index_stride,
+                                       mw_index_type index_type, const mw_shift *shift, const float *points,
+                                       size_t point_stride, size_t count, unsigned flags);
 
 /* The same after a look at all indices. */
-mw_status mw_apply_point_indexed_checked_mixed(mw_xyz_f32 out, const mw_motor_f64 *palette, size_t palette_count,
-                                               mw_indices indices, const mw_shift *shift, mw_const_xyz_f32 points,
-                                               size_t count, unsigned flags, size_t *first_bad);
+mw_status mw_apply_point_indexed_checked_mixed(float *out, size_t out_stride, const mw_motor_f64 *palette,
+                                               size_t palette_count, const void *indices, size_t index_stride,
+                                               mw_index_type index_type, const mw_shift *shift, const float *points,
+                                               size_t point_stride, size_t count, unsigned flags, size_t *first_bad);
 
 /* One pass over the indices: MW_ERROR_INDEX if one is not below palette_count, and then *first_bad (unless that
  * pointer is null) is the number of the first such element.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_INDEX, MW_ERROR_INDEX_TYPE. */
-mw_status mw_check_indices(mw_indices indices, size_t count, size_t palette_count, size_t *first_bad);
+mw_status mw_check_indices(const void *indices, size_t index_stride, mw_index_type index_type, size_t count,
+                           size_t palette_count, size_t *first_bad);
 
 /* ----------------------------------------------------------------------------------------- combining motors --- */
 
 /* out[i] = first[i] then[i], the geometric product: the motor that does `first` and then `then` (F_UV = F_V F_U,
  * lemma 3.5).
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
-mw_status mw_compose_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 first, mw_const_motors_f32 then,
-                                    size_t count);
-mw_status mw_compose_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 first, mw_const_motors_f64 then,
-                                    size_t count);
+mw_status mw_compose_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *first,
+                                    size_t first_stride, const mw_motor_f32 *then, size_t then_stride, size_t count);
+mw_status mw_compose_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *first,
+                                    size_t first_stride, const mw_motor_f64 *then, size_t then_stride, size_t count);
 
 /* The same where one factor is the same for all: out[i] = first then[i], and out[i] = first[i] then.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
-mw_status mw_compose_motor_one_first_f32(mw_motors_f32 out, const mw_motor_f32 *first, mw_const_motors_f32 then,
-                                         size_t count);
-mw_status mw_compose_motor_one_first_f64(mw_motors_f64 out, const mw_motor_f64 *first, mw_const_motors_f64 then,
-                                         size_t count);
-mw_status mw_compose_motor_one_then_f32(mw_motors_f32 out, mw_const_motors_f32 first, const mw_motor_f32 *then,
-                                        size_t count);
-mw_status mw_compose_motor_one_then_f64(mw_motors_f64 out, mw_const_motors_f64 first, const mw_motor_f64 *then,
-                                        size_t count);
+mw_status mw_compose_motor_one_first_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *first,
+                                         const mw_motor_f32 *then, size_t then_stride, size_t count);
+mw_status mw_compose_motor_one_first_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *first,
+                                         const mw_motor_f64 *then, size_t then_stride, size_t count);
+mw_status mw_compose_motor_one_then_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *first,
+                                        size_t first_stride, const mw_motor_f32 *then, size_t count);
+mw_status mw_compose_motor_one_then_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *first,
+                                        size_t first_stride, const mw_motor_f64 *then, size_t count);
 
 /* Poses along a hierarchy, of many instances at once: out[j][i] = locals[j][i] out[parents[j]][i], the motor that moves
  * from the space of joint j to that of its root, for joints j < joint_count in order and instances i < count.
  * parents[j] < j, or negative for a root, of which out[j][i] = locals[j][i]. The motors of joint j begin
  * j * joint_stride bytes after those of joint 0, of locals and of out alike: instances side by side
- * (joint_stride >= count * stride) are a lane each, which is the fast way; skeletons one after the other have
- * stride >= joint_count * joint_stride. Joints may not run into each other (MW_ERROR_STRIDE).
+ * (joint_stride >= count * out_stride) are a lane each, which is the fast way; skeletons one after the other have
+ * out_stride >= joint_count * joint_stride. Joints may not run into each other (MW_ERROR_STRIDE).
  * In place if locals is out; or if a motor of each, such as two fields of a joint, lies within the smaller of the two
  * strides. On MW_ERROR_PARENT *first_bad (unless that pointer is null) is the joint.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_PARENT (parents[j] >= j). */
-mw_status mw_compose_motor_hierarchy_f32(mw_motors_f32 out, mw_const_motors_f32 locals, size_t joint_stride,
-                                         const int32_t *parents, size_t joint_count, size_t count, size_t *first_bad);
-mw_status mw_compose_motor_hierarchy_f64(mw_motors_f64 out, mw_const_motors_f64 locals, size_t joint_stride,
-                                         const int32_t *parents, size_t joint_count, size_t count, size_t *first_bad);
+mw_status mw_compose_motor_hierarchy_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *locals,
+                                         size_t local_stride, size_t joint_stride, const int32_t *parents,
+                                         size_t joint_count, size_t count, size_t *first_bad);
+mw_status mw_compose_motor_hierarchy_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *locals,
+                                         size_t local_stride, size_t joint_stride, const int32_t *parents,
+                                         size_t joint_count, size_t count, size_t *first_bad);
 
 /* out[i] = the reverse of motors[i]: the opposite motion, and for a normalised motor its inverse.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
-mw_status mw_reverse_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, size_t count);
-mw_status mw_reverse_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
+mw_status mw_reverse_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *motors,
+                                    size_t motor_stride, size_t count);
+mw_status mw_reverse_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *motors,
+                                    size_t motor_stride, size_t count);
 
 /* out[i] = the motor of the same motion with S̄S = 1: motors[i] divided by the square root of the pseudoscalar
  * S̄S = α + βω (lemma 3.4, corollary 3.7), so that the translation is right as well. The sign of s is kept.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP.
  * Degenerate motors: see mw_check_motors. */
-mw_status mw_normalize_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, size_t count);
-mw_status mw_normalize_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
+mw_status mw_normalize_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *motors,
+                                      size_t motor_stride, size_t count);
+mw_status mw_normalize_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *motors,
+                                      size_t motor_stride, size_t count);
 
 /* out[i] = motors[i]^-1 = S̄ / (S̄S), the opposite motion, of motors that need not be normalised (lemma 3.4).
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP.
  * Degenerate motors: see mw_check_motors. */
-mw_status mw_inverse_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, size_t count);
-mw_status mw_inverse_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
+mw_status mw_inverse_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *motors,
+                                    size_t motor_stride, size_t count);
+mw_status mw_inverse_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *motors,
+                                    size_t motor_stride, size_t count);
 
 /* out[i] = from[i]^-1 to[i], the relative motor: what is to be done after from[i] to come to to[i], so that composing
  * from[i] and then out[i] gives to[i]. The left factor acts first: as matrices, which act on columns, out is T1 T0^-1,
  * with T0 that of `from` and T1 that of `to`. T0^-1 T1, the pose of `to` as seen from `from`, is another one:
- * mw_inverse_motor_each(out, from, count), and then mw_compose_motor_each(out, to, out, count).
+ * mw_inverse_motor_each of `from`, and then mw_compose_motor_each of `to` and that.
  * With MW_UNIT_MOTORS from[i] must be normalised.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS.
  * Degenerate motors: see mw_check_motors. */
-mw_status mw_ratio_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 from, mw_const_motors_f32 to, size_t count,
-                                  unsigned flags);
-mw_status mw_ratio_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 from, mw_const_motors_f64 to, size_t count,
-                                  unsigned flags);
+mw_status mw_ratio_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *from, size_t from_stride,
+                                  const mw_motor_f32 *to, size_t to_stride, size_t count, unsigned flags);
+mw_status mw_ratio_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *from, size_t from_stride,
+                                  const mw_motor_f64 *to, size_t to_stride, size_t count, unsigned flags);
 
 /* -------------------------------------------------------------------------------- exponentials, interpolation --- */
 
@@ -839,8 +728,10 @@ mw_status mw_ratio_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 from, m
  * Large angles cost more: a register that holds |b| above 8192 (2^27 in double; above 4 where the instruction set does
  * not fuse) takes some 50 ns for each lane that does.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
-mw_status mw_exp_motor_each_f32(mw_motors_f32 out, mw_const_bivectors_f32 generators, size_t count);
-mw_status mw_exp_motor_each_f64(mw_motors_f64 out, mw_const_bivectors_f64 generators, size_t count);
+mw_status mw_exp_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const float *generators,
+                                size_t generator_stride, size_t count);
+mw_status mw_exp_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const double *generators,
+                                size_t generator_stride, size_t count);
 
 /* out[i] = the logarithm of motors[i] or of -motors[i], which move alike, whichever turns by no more than a half turn:
  * exp(out[i]) is the motor with s >= 0. Translations are exact.
@@ -851,26 +742,30 @@ mw_status mw_exp_motor_each_f64(mw_motors_f64 out, mw_const_bivectors_f64 genera
  * there is none, and the result is that of mw_log_motor_each.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS.
  * Degenerate motors: see mw_check_motors. */
-mw_status mw_log_motor_each_f32(mw_bivectors_f32 out, mw_const_motors_f32 motors, size_t count, unsigned flags);
-mw_status mw_log_motor_each_f64(mw_bivectors_f64 out, mw_const_motors_f64 motors, size_t count, unsigned flags);
-mw_status mw_log_principal_motor_each_f32(mw_bivectors_f32 out, mw_const_motors_f32 motors, size_t count,
-                                          unsigned flags);
-mw_status mw_log_principal_motor_each_f64(mw_bivectors_f64 out, mw_const_motors_f64 motors, size_t count,
-                                          unsigned flags);
+mw_status mw_log_motor_each_f32(float *out, size_t out_stride, const mw_motor_f32 *motors, size_t motor_stride,
+                                size_t count, unsigned flags);
+mw_status mw_log_motor_each_f64(double *out, size_t out_stride, const mw_motor_f64 *motors, size_t motor_stride,
+                                size_t count, unsigned flags);
+mw_status mw_log_principal_motor_each_f32(float *out, size_t out_stride, const mw_motor_f32 *motors,
+                                          size_t motor_stride, size_t count, unsigned flags);
+mw_status mw_log_principal_motor_each_f64(double *out, size_t out_stride, const mw_motor_f64 *motors,
+                                          size_t motor_stride, size_t count, unsigned flags);
 
 /* out[i] = the normalised motor that does half of what motors[i], which must be normalised, does the short way.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
-mw_status mw_sqrt_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, size_t count);
-mw_status mw_sqrt_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, size_t count);
+mw_status mw_sqrt_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *motors,
+                                 size_t motor_stride, size_t count);
+mw_status mw_sqrt_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *motors,
+                                 size_t motor_stride, size_t count);
 
 /* out[i] = exp(t log S), the power t = exponents[i] of S = motors[i], which must be normalised, by its shortest
  * logarithm: for every t for which t times that is finite. exponents[i] is at byte offset i * exponent_stride;
  * exponent_stride 0: one exponent for all.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
-mw_status mw_power_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 motors, const float *exponents,
-                                  size_t exponent_stride, size_t count);
-mw_status mw_power_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors, const double *exponents,
-                                  size_t exponent_stride, size_t count);
+mw_status mw_power_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *motors,
+                                  size_t motor_stride, const float *exponents, size_t exponent_stride, size_t count);
+mw_status mw_power_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *motors,
+                                  size_t motor_stride, const double *exponents, size_t exponent_stride, size_t count);
 
 /* out[i] = first[i] (first[i]^-1 second[i])^t, the screw between two poses at t = parameters[i]: first[i] at 0 and
  * ±second[i] at 1, to rounding. Both normalised. parameter_stride as above.
@@ -882,16 +777,20 @@ mw_status mw_power_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 motors,
  * between them, rotations are right within 7 epsilons (8 where nothing fuses) for φ >= 0.1, and within 1/φ epsilons
  * below that.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS. */
-mw_status mw_slerp_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 first, mw_const_motors_f32 second,
+mw_status mw_slerp_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *first,
+                                  size_t first_stride, const mw_motor_f32 *second, size_t second_stride,
                                   const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
-mw_status mw_slerp_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 first, mw_const_motors_f64 second,
+mw_status mw_slerp_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *first,
+                                  size_t first_stride, const mw_motor_f64 *second, size_t second_stride,
                                   const double *parameters, size_t parameter_stride, size_t count, unsigned flags);
 
 /* Between the same two poses, at many parameters. */
-mw_status mw_slerp_motor_one_f32(mw_motors_f32 out, const mw_motor_f32 *first, const mw_motor_f32 *second,
-                                 const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
-mw_status mw_slerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, const mw_motor_f64 *second,
-                                 const double *parameters, size_t parameter_stride, size_t count, unsigned flags);
+mw_status mw_slerp_motor_one_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *first,
+                                 const mw_motor_f32 *second, const float *parameters, size_t parameter_stride,
+                                 size_t count, unsigned flags);
+mw_status mw_slerp_motor_one_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *first,
+                                 const mw_motor_f64 *second, const double *parameters, size_t parameter_stride,
+                                 size_t count, unsigned flags);
 
 /* out[i] = (1-t) first[i] ± t second[i], normalised ("method 1" of the lecture notes; equation (5) of the paper): the
  * same poses at both ends and almost the same path as slerp, at less than half the cost and at a speed that is not
@@ -899,16 +798,20 @@ mw_status mw_slerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, c
  * (MW_LONG_WAY) is the sum with the other sign, which is degenerate where the two cancel: halfway between equal poses.
  * mw_blend_motor_* is the same without normalising.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_FLAGS. */
-mw_status mw_nlerp_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 first, mw_const_motors_f32 second,
+mw_status mw_nlerp_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *first,
+                                  size_t first_stride, const mw_motor_f32 *second, size_t second_stride,
                                   const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
-mw_status mw_nlerp_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 first, mw_const_motors_f64 second,
+mw_status mw_nlerp_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *first,
+                                  size_t first_stride, const mw_motor_f64 *second, size_t second_stride,
                                   const double *parameters, size_t parameter_stride, size_t count, unsigned flags);
 
 /* Between the same two poses, at many parameters. */
-mw_status mw_nlerp_motor_one_f32(mw_motors_f32 out, const mw_motor_f32 *first, const mw_motor_f32 *second,
-                                 const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
-mw_status mw_nlerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, const mw_motor_f64 *second,
-                                 const double *parameters, size_t parameter_stride, size_t count, unsigned flags);
+mw_status mw_nlerp_motor_one_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *first,
+                                 const mw_motor_f32 *second, const float *parameters, size_t parameter_stride,
+                                 size_t count, unsigned flags);
+mw_status mw_nlerp_motor_one_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *first,
+                                 const mw_motor_f64 *second, const double *parameters, size_t parameter_stride,
+                                 size_t count, unsigned flags);
 
 /* --------------------------------------------------------------------------------------------- representations --- */
 
@@ -926,27 +829,31 @@ mw_status mw_nlerp_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *first, c
 /* Unit quaternions and translations. The sign of the motor is that of the quaternion, and a quaternion of any other
  * length but zero makes a motor of that length, of the same motion: w + z e12 - y e13 + x e23, and then 1 + ½ t e∞.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
-mw_status mw_convert_motor_to_pose_each_f32(mw_xyzw_f32 quaternions, mw_xyz_f32 translations,
-                                            mw_const_motors_f32 motors, size_t count);
-mw_status mw_convert_motor_to_pose_each_f64(mw_xyzw_f64 quaternions, mw_xyz_f64 translations,
-                                            mw_const_motors_f64 motors, size_t count);
-mw_status mw_convert_pose_to_motor_each_f32(mw_motors_f32 out, mw_const_xyzw_f32 quaternions,
-                                            mw_const_xyz_f32 translations, size_t count);
-mw_status mw_convert_pose_to_motor_each_f64(mw_motors_f64 out, mw_const_xyzw_f64 quaternions,
-                                            mw_const_xyz_f64 translations, size_t count);
+mw_status mw_convert_motor_to_pose_each_f32(float *quaternions, size_t quaternion_stride, float *translations,
+                                            size_t translation_stride, const mw_motor_f32 *motors,
+                                            size_t motor_stride, size_t count);
+mw_status mw_convert_motor_to_pose_each_f64(double *quaternions, size_t quaternion_stride, double *translations,
+                                            size_t translation_stride, const mw_motor_f64 *motors,
+                                            size_t motor_stride, size_t count);
+mw_status mw_convert_pose_to_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const float *quaternions,
+                                            size_t quaternion_stride, const float *translations,
+                                            size_t translation_stride, size_t count);
+mw_status mw_convert_pose_to_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const double *quaternions,
+                                            size_t quaternion_stride, const double *translations,
+                                            size_t translation_stride, size_t count);
 
 /* Dual quaternions r + εd with d = ½ t r, as engines and skinning have them: r = (b23, -b13, b12; s) and
  * d = (b1i, b2i, b3i; -w). Exact. Of any length, and also where r and d are not orthogonal, as in sums of dual
  * quaternions: the motor turns as r does and then moves by the vector part of 2 d r* / |r|², as in skinning.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
-mw_status mw_convert_motor_to_dual_quaternion_each_f32(mw_dual_quaternions_f32 out, mw_const_motors_f32 motors,
-                                                       size_t count);
-mw_status mw_convert_motor_to_dual_quaternion_each_f64(mw_dual_quaternions_f64 out, mw_const_motors_f64 motors,
-                                                       size_t count);
-mw_status mw_convert_dual_quaternion_to_motor_each_f32(mw_motors_f32 out, mw_const_dual_quaternions_f32 in,
-                                                       size_t count);
-mw_status mw_convert_dual_quaternion_to_motor_each_f64(mw_motors_f64 out, mw_const_dual_quaternions_f64 in,
-                                                       size_t count);
+mw_status mw_convert_motor_to_dual_quaternion_each_f32(float *out, size_t out_stride, const mw_motor_f32 *motors,
+                                                       size_t motor_stride, size_t count);
+mw_status mw_convert_motor_to_dual_quaternion_each_f64(double *out, size_t out_stride, const mw_motor_f64 *motors,
+                                                       size_t motor_stride, size_t count);
+mw_status mw_convert_dual_quaternion_to_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const float *in,
+                                                       size_t in_stride, size_t count);
+mw_status mw_convert_dual_quaternion_to_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const double *in,
+                                                       size_t in_stride, size_t count);
 
 /* Matrices. All are looked at before any is converted, and one that is no rotation and translation is
  * MW_ERROR_MATRIX: then *first_bad (unless that pointer is null) is the number of the first, and nothing is written.
@@ -959,11 +866,15 @@ mw_status mw_convert_dual_quaternion_to_motor_each_f64(mw_motors_f64 out, mw_con
  * MW_ERROR_FLAGS also for both flags together.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_MATRIX_LAYOUT, MW_ERROR_MATRIX
  * (matrix_to_motor), MW_ERROR_FLAGS (matrix_to_motor). */
-mw_status mw_convert_motor_to_matrix_each_f32(mw_matrices_f32 out, mw_const_motors_f32 motors, size_t count);
-mw_status mw_convert_motor_to_matrix_each_f64(mw_matrices_f64 out, mw_const_motors_f64 motors, size_t count);
-mw_status mw_convert_matrix_to_motor_each_f32(mw_motors_f32 out, mw_const_matrices_f32 matrices, size_t count,
+mw_status mw_convert_motor_to_matrix_each_f32(float *out, size_t out_stride, mw_matrix_layout out_layout,
+                                              const mw_motor_f32 *motors, size_t motor_stride, size_t count);
+mw_status mw_convert_motor_to_matrix_each_f64(double *out, size_t out_stride, mw_matrix_layout out_layout,
+                                              const mw_motor_f64 *motors, size_t motor_stride, size_t count);
+mw_status mw_convert_matrix_to_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const float *matrices,
+                                              size_t matrix_stride, mw_matrix_layout matrix_layout, size_t count,
                                               unsigned flags, size_t *first_bad);
-mw_status mw_convert_matrix_to_motor_each_f64(mw_motors_f64 out, mw_const_matrices_f64 matrices, size_t count,
+mw_status mw_convert_matrix_to_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const double *matrices,
+                                              size_t matrix_stride, mw_matrix_layout matrix_layout, size_t count,
                                               unsigned flags, size_t *first_bad);
 
 /* One pass over the matrices: MW_ERROR_MATRIX if one is further from a rotation than `tolerance`, and then *first_bad
@@ -972,23 +883,27 @@ mw_status mw_convert_matrix_to_motor_each_f64(mw_motors_f64 out, mw_const_matric
  * 16 epsilons: the matrix projects) or if any number is not finite. *deviation is the largest distance of all. Both
  * pointers may be null.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_MATRIX, MW_ERROR_MATRIX_LAYOUT. */
-mw_status mw_check_matrices_f32(mw_const_matrices_f32 matrices, size_t count, float tolerance, size_t *first_bad,
-                                float *deviation);
-mw_status mw_check_matrices_f64(mw_const_matrices_f64 matrices, size_t count, double tolerance, size_t *first_bad,
-                                double *deviation);
+mw_status mw_check_matrices_f32(const float *matrices, size_t matrix_stride, mw_matrix_layout matrix_layout,
+                                size_t count, float tolerance, size_t *first_bad, float *deviation);
+mw_status mw_check_matrices_f64(const double *matrices, size_t matrix_stride, mw_matrix_layout matrix_layout,
+                                size_t count, double tolerance, size_t *first_bad, double *deviation);
 
 /* Axis and angle, and translations: x y z is the axis through the origin, and w the angle, of any finite size. THE AXIS
  * MUST HAVE LENGTH 1, which is not looked at: with another length a it turns by another angle φ, tan φ/2 = a tan θ/2.
  * (mw_rotation takes an axis of any length.) From motors come angles in [0, π]; where it is 0, the axis is z.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
-mw_status mw_convert_motor_to_axis_angle_each_f32(mw_xyzw_f32 rotations, mw_xyz_f32 translations,
-                                                  mw_const_motors_f32 motors, size_t count);
-mw_status mw_convert_motor_to_axis_angle_each_f64(mw_xyzw_f64 rotations, mw_xyz_f64 translations,
-                                                  mw_const_motors_f64 motors, size_t count);
-mw_status mw_convert_axis_angle_to_motor_each_f32(mw_motors_f32 out, mw_const_xyzw_f32 rotations,
-                                                  mw_const_xyz_f32 translations, size_t count);
-mw_status mw_convert_axis_angle_to_motor_each_f64(mw_motors_f64 out, mw_const_xyzw_f64 rotations,
-                                                  mw_const_xyz_f64 translations, size_t count);
+mw_status mw_convert_motor_to_axis_angle_each_f32(float *rotations, size_t rotation_stride, float *translations,
+                                                  size_t translation_stride, const mw_motor_f32 *motors,
+                                                  size_t motor_stride, size_t count);
+mw_status mw_convert_motor_to_axis_angle_each_f64(double *rotations, size_t rotation_stride, double *translations,
+                                                  size_t translation_stride, const mw_motor_f64 *motors,
+                                                  size_t motor_stride, size_t count);
+mw_status mw_convert_axis_angle_to_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const float *rotations,
+                                                  size_t rotation_stride, const float *translations,
+                                                  size_t translation_stride, size_t count);
+mw_status mw_convert_axis_angle_to_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const double *rotations,
+                                                  size_t rotation_stride, const double *translations,
+                                                  size_t translation_stride, size_t count);
 
 /* Euler angles, and translations: x is the first angle, y the second, z the third, of any finite size. From motors
  * come the first and third angle in [-π, π]. Where these two are about the same axis (gimbal lock: the second angle
@@ -996,21 +911,29 @@ mw_status mw_convert_axis_angle_to_motor_each_f64(mw_motors_f64 out, mw_const_xy
  * determined. Then the third is 0 and the first has all of it, on every instruction set: as scipy has it, and
  * engines. That begins where the second angle is within 16 epsilons of those, and costs the rotation as much.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_EULER_ORDER. */
-mw_status mw_convert_motor_to_euler_each_f32(mw_xyz_f32 angles, mw_xyz_f32 translations, mw_const_motors_f32 motors,
-                                             size_t count, mw_euler_order order);
-mw_status mw_convert_motor_to_euler_each_f64(mw_xyz_f64 angles, mw_xyz_f64 translations, mw_const_motors_f64 motors,
-                                             size_t count, mw_euler_order order);
-mw_status mw_convert_euler_to_motor_each_f32(mw_motors_f32 out, mw_const_xyz_f32 angles,
-                                             mw_const_xyz_f32 translations, size_t count, mw_euler_order order);
-mw_status mw_convert_euler_to_motor_each_f64(mw_motors_f64 out, mw_const_xyz_f64 angles,
-                                             mw_const_xyz_f64 translations, size_t count, mw_euler_order order);
+mw_status mw_convert_motor_to_euler_each_f32(float *angles, size_t angle_stride, float *translations,
+                                             size_t translation_stride, const mw_motor_f32 *motors,
+                                             size_t motor_stride, size_t count, mw_euler_order order);
+mw_status mw_convert_motor_to_euler_each_f64(double *angles, size_t angle_stride, double *translations,
+                                             size_t translation_stride, const mw_motor_f64 *motors,
+                                             size_t motor_stride, size_t count, mw_euler_order order);
+mw_status mw_convert_euler_to_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const float *angles,
+                                             size_t angle_stride, const float *translations,
+                                             size_t translation_stride, size_t count, mw_euler_order order);
+mw_status mw_convert_euler_to_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const double *angles,
+                                             size_t angle_stride, const double *translations,
+                                             size_t translation_stride, size_t count, mw_euler_order order);
 
 /* Translations alone: 1 + ½ t e∞ (the paper's lemma 3.10); and of any motor where it takes the origin.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
-mw_status mw_convert_translation_to_motor_each_f32(mw_motors_f32 out, mw_const_xyz_f32 translations, size_t count);
-mw_status mw_convert_translation_to_motor_each_f64(mw_motors_f64 out, mw_const_xyz_f64 translations, size_t count);
-mw_status mw_convert_motor_to_translation_each_f32(mw_xyz_f32 translations, mw_const_motors_f32 motors, size_t count);
-mw_status mw_convert_motor_to_translation_each_f64(mw_xyz_f64 translations, mw_const_motors_f64 motors, size_t count);
+mw_status mw_convert_translation_to_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const float *translations,
+                                                   size_t translation_stride, size_t count);
+mw_status mw_convert_translation_to_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const double *translations,
+                                                   size_t translation_stride, size_t count);
+mw_status mw_convert_motor_to_translation_each_f32(float *translations, size_t translation_stride,
+                                                   const mw_motor_f32 *motors, size_t motor_stride, size_t count);
+mw_status mw_convert_motor_to_translation_each_f64(double *translations, size_t translation_stride,
+                                                   const mw_motor_f64 *motors, size_t motor_stride, size_t count);
 
 /* Screws (Chasles): a rotation by `angle` about the axis of direction a, of length 1, through the point p, and a
  * translation by `distance` along it, in any order. The pitch is distance / angle. With distance 0 that is the
@@ -1019,10 +942,14 @@ mw_status mw_convert_motor_to_translation_each_f64(mw_xyz_f64 translations, mw_c
  * turns by less than 2^-59. The identity has the axis z. INTO MOTORS THE AXIS MUST HAVE LENGTH 1, which is not looked
  * at: with another length the angle is wrong as above, and so is the way along the axis.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
-mw_status mw_convert_motor_to_screw_each_f32(mw_screws_f32 out, mw_const_motors_f32 motors, size_t count);
-mw_status mw_convert_motor_to_screw_each_f64(mw_screws_f64 out, mw_const_motors_f64 motors, size_t count);
-mw_status mw_convert_screw_to_motor_each_f32(mw_motors_f32 out, mw_const_screws_f32 screws, size_t count);
-mw_status mw_convert_screw_to_motor_each_f64(mw_motors_f64 out, mw_const_screws_f64 screws, size_t count);
+mw_status mw_convert_motor_to_screw_each_f32(float *out, size_t out_stride, const mw_motor_f32 *motors,
+                                             size_t motor_stride, size_t count);
+mw_status mw_convert_motor_to_screw_each_f64(double *out, size_t out_stride, const mw_motor_f64 *motors,
+                                             size_t motor_stride, size_t count);
+mw_status mw_convert_screw_to_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const float *screws,
+                                             size_t screw_stride, size_t count);
+mw_status mw_convert_screw_to_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const double *screws,
+                                             size_t screw_stride, size_t count);
 
 /* Rotors as Wareham and Lasenby write them, which act as R x R̃ and in which lengths are measured in units of `lambda`
  * (their embedding, section 1): R = S̃ with its e∞ part divided by lambda, and n for e∞. The components of rotors are
@@ -1030,14 +957,14 @@ mw_status mw_convert_screw_to_motor_each_f64(mw_motors_f64 out, mw_const_screws_
  * up to the rounding of 1 / lambda.
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_SCALE (lambda is 0 or not finite,
  * or its inverse is not). */
-mw_status mw_convert_motor_to_rotor_each_f32(mw_motors_f32 rotors, mw_const_motors_f32 motors, size_t count,
-                                             float lambda);
-mw_status mw_convert_motor_to_rotor_each_f64(mw_motors_f64 rotors, mw_const_motors_f64 motors, size_t count,
-                                             double lambda);
-mw_status mw_convert_rotor_to_motor_each_f32(mw_motors_f32 out, mw_const_motors_f32 rotors, size_t count,
-                                             float lambda);
-mw_status mw_convert_rotor_to_motor_each_f64(mw_motors_f64 out, mw_const_motors_f64 rotors, size_t count,
-                                             double lambda);
+mw_status mw_convert_motor_to_rotor_each_f32(mw_motor_f32 *rotors, size_t rotor_stride, const mw_motor_f32 *motors,
+                                             size_t motor_stride, size_t count, float lambda);
+mw_status mw_convert_motor_to_rotor_each_f64(mw_motor_f64 *rotors, size_t rotor_stride, const mw_motor_f64 *motors,
+                                             size_t motor_stride, size_t count, double lambda);
+mw_status mw_convert_rotor_to_motor_each_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *rotors,
+                                             size_t rotor_stride, size_t count, float lambda);
+mw_status mw_convert_rotor_to_motor_each_f64(mw_motor_f64 *out, size_t out_stride, const mw_motor_f64 *rotors,
+                                             size_t rotor_stride, size_t count, double lambda);
 
 /* -------------------------------------------------------------------------------------------------- one twist --- */
 
@@ -1062,35 +989,6 @@ mw_status mw_twist_pose_f32(mw_motor_f32 *out, const mw_twist_f32 *twist, float 
 mw_status mw_twist_pose_f64(mw_motor_f64 *out, const mw_twist_f64 *twist, double lambda);
 mw_status mw_twist_position_f32(float out[3], const mw_twist_f32 *twist, float lambda);
 mw_status mw_twist_position_f64(double out[3], const mw_twist_f64 *twist, double lambda);
-
-/* -------------------------------------------------------------------------------------------- blending motors --- */
-
-/* The weights of a blend: `term_count` base pointers, one a term, and one byte stride: the weight of term k in
- * element i is at byte offset i * stride from terms[k]. N rows of K adjacent weights are terms[k] = first + k with
- * stride K * sizeof(float); K columns of N weights are terms[k] = first + k * N with stride sizeof(float). */
-typedef struct mw_weights_f32 { const float *const *terms; size_t stride; } mw_weights_f32;
-typedef struct mw_weights_f64 { const double *const *terms; size_t stride; } mw_weights_f64;
-
-/* out[i] = Σk weights[i][k] controls[k]: weighted sums of the same control motors, term after term in the order
- * k = 0, 1, ... The result is not normalised and need not be (the paper's section 4). It is degenerate where
- * controls of opposite sign cancel. Without terms (term_count = 0) every sum is the zero motor.
- * Time: count * term_count.
- * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP. */
-mw_status mw_blend_motor_one_f32(mw_motors_f32 out, const mw_motor_f32 *controls, mw_weights_f32 weights,
-                                 size_t term_count, size_t count);
-mw_status mw_blend_motor_one_f64(mw_motors_f64 out, const mw_motor_f64 *controls, mw_weights_f64 weights,
-                                 size_t term_count, size_t count);
-
-/* The most terms of a blend in which each element has control motors of its own. */
-enum { MW_MAX_TERMS = 256 };
-
-/* out[i] = Σk weights[i][k] controls[k][i]: as above, each element with control motors of its own; controls[k] is
- * the view of all elements' k-th control. At most MW_MAX_TERMS terms.
- * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP, MW_ERROR_TERM_COUNT. */
-mw_status mw_blend_motor_each_f32(mw_motors_f32 out, const mw_const_motors_f32 *controls, mw_weights_f32 weights,
-                                  size_t term_count, size_t count);
-mw_status mw_blend_motor_each_f64(mw_motors_f64 out, const mw_const_motors_f64 *controls, mw_weights_f64 weights,
-                                  size_t term_count, size_t count);
 
 /* ------------------------------------------------------------------------------------------------- motions --- */
 
@@ -1148,7 +1046,7 @@ typedef struct mw_motion_f32 {
     size_t control_count;          /* of one motion: more than the degree, and at least two */
     const float *knots;
     size_t knot_count;
-    const float *weights;          /* null, or one a control: rational additive motions */
+    const float *weights;          /* null, or one per control: rational additive motions */
     int closed;                    /* nonzero: comes back to its start, as smooth there as elsewhere */
     const mw_motor_f32 *base;      /* of generators: null is the identity */
     size_t motion_count;           /* how many motions there are; 0 is 1 */
@@ -1211,16 +1109,18 @@ mw_status mw_motion_domain_f64(double domain[2], const mw_compiled_motion_f64 *m
  * what to do, or not finite). */
 
 /* Of one motion, at every parameter. */
-mw_status mw_sample_motion_one_f32(mw_motors_f32 out, const mw_compiled_motion_f32 *motion, size_t index,
-                                   const float *parameters, size_t count, unsigned flags);
-mw_status mw_sample_motion_one_f64(mw_motors_f64 out, const mw_compiled_motion_f64 *motion, size_t index,
-                                   const double *parameters, size_t count, unsigned flags);
+mw_status mw_sample_motion_one_f32(mw_motor_f32 *out, size_t out_stride, const mw_compiled_motion_f32 *motion,
+                                   size_t index, const float *parameters, size_t count, unsigned flags);
+mw_status mw_sample_motion_one_f64(mw_motor_f64 *out, size_t out_stride, const mw_compiled_motion_f64 *motion,
+                                   size_t index, const double *parameters, size_t count, unsigned flags);
 
 /* Of one motion after the other. */
-mw_status mw_sample_motion_each_f32(mw_motors_f32 out, const mw_compiled_motion_f32 *motion, size_t index,
-                                    const float *parameters, size_t parameter_stride, size_t count, unsigned flags);
-mw_status mw_sample_motion_each_f64(mw_motors_f64 out, const mw_compiled_motion_f64 *motion, size_t index,
-                                    const double *parameters, size_t parameter_stride, size_t count, unsigned flags);
+mw_status mw_sample_motion_each_f32(mw_motor_f32 *out, size_t out_stride, const mw_compiled_motion_f32 *motion,
+                                    size_t index, const float *parameters, size_t parameter_stride, size_t count,
+                                    unsigned flags);
+mw_status mw_sample_motion_each_f64(mw_motor_f64 *out, size_t out_stride, const mw_compiled_motion_f64 *motion,
+                                    size_t index, const double *parameters, size_t parameter_stride, size_t count,
+                                    unsigned flags);
 
 /* Samples and velocities. The twist Ω at a parameter is the bivector S^-1 S' of the normalised motion: a moment h
  * later the pose is S exp(hΩ). It generates motions as logarithms do, so it holds halves: the angular velocity is
@@ -1233,18 +1133,18 @@ mw_status mw_sample_motion_each_f64(mw_motors_f64 out, const mw_compiled_motion_
  * what to do, or not finite). */
 
 /* Of one motion, at every parameter. */
-mw_status mw_sample_motion_twist_one_f32(mw_motors_f32 out, mw_bivectors_f32 twists,
+mw_status mw_sample_motion_twist_one_f32(mw_motor_f32 *out, size_t out_stride, float *twists, size_t twist_stride,
                                          const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
                                          size_t count, unsigned flags);
-mw_status mw_sample_motion_twist_one_f64(mw_motors_f64 out, mw_bivectors_f64 twists,
+mw_status mw_sample_motion_twist_one_f64(mw_motor_f64 *out, size_t out_stride, double *twists, size_t twist_stride,
                                          const mw_compiled_motion_f64 *motion, size_t index, const double *parameters,
                                          size_t count, unsigned flags);
 
 /* Of one motion after the other. */
-mw_status mw_sample_motion_twist_each_f32(mw_motors_f32 out, mw_bivectors_f32 twists,
+mw_status mw_sample_motion_twist_each_f32(mw_motor_f32 *out, size_t out_stride, float *twists, size_t twist_stride,
                                           const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
                                           size_t parameter_stride, size_t count, unsigned flags);
-mw_status mw_sample_motion_twist_each_f64(mw_motors_f64 out, mw_bivectors_f64 twists,
+mw_status mw_sample_motion_twist_each_f64(mw_motor_f64 *out, size_t out_stride, double *twists, size_t twist_stride,
                                           const mw_compiled_motion_f64 *motion, size_t index,
                                           const double *parameters, size_t parameter_stride, size_t count,
                                           unsigned flags);
@@ -1255,54 +1155,70 @@ mw_status mw_sample_motion_twist_each_f64(mw_motors_f64 out, mw_bivectors_f64 tw
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_OVERLAP (with the parameters or the motion),
  * MW_ERROR_FLAGS, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX, MW_ERROR_PARAMETER (outside the domain, unless a flag says
  * what to do, or not finite). */
-mw_status mw_apply_point_motion_f32(mw_xyz_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
-                                    size_t index, const float *parameters, size_t parameter_count,
-                                    mw_const_xyz_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_point_motion_f64(mw_xyz_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
-                                    size_t index, const double *parameters, size_t parameter_count,
-                                    mw_const_xyz_f64 in, size_t count, unsigned flags);
-mw_status mw_apply_direction_motion_f32(mw_xyz_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
-                                        size_t index, const float *parameters, size_t parameter_count,
-                                        mw_const_xyz_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_direction_motion_f64(mw_xyz_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
-                                        size_t index, const double *parameters, size_t parameter_count,
-                                        mw_const_xyz_f64 in, size_t count, unsigned flags);
-mw_status mw_apply_tangent_motion_f32(mw_xyzw_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
-                                      size_t index, const float *parameters, size_t parameter_count,
-                                      mw_const_xyzw_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_tangent_motion_f64(mw_xyzw_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
-                                      size_t index, const double *parameters, size_t parameter_count,
-                                      mw_const_xyzw_f64 in, size_t count, unsigned flags);
-mw_status mw_apply_vertex_motion_f32(mw_vertices_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
-                                     size_t index, const float *parameters, size_t parameter_count,
-                                     mw_const_vertices_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_vertex_motion_f64(mw_vertices_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
-                                     size_t index, const double *parameters, size_t parameter_count,
-                                     mw_const_vertices_f64 in, size_t count, unsigned flags);
-mw_status mw_apply_vector_motion_f32(mw_vectors_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
-                                     size_t index, const float *parameters, size_t parameter_count,
-                                     mw_const_vectors_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_vector_motion_f64(mw_vectors_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
-                                     size_t index, const double *parameters, size_t parameter_count,
-                                     mw_const_vectors_f64 in, size_t count, unsigned flags);
-mw_status mw_apply_line_motion_f32(mw_lines_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
-                                   size_t index, const float *parameters, size_t parameter_count,
-                                   mw_const_lines_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_line_motion_f64(mw_lines_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
-                                   size_t index, const double *parameters, size_t parameter_count,
-                                   mw_const_lines_f64 in, size_t count, unsigned flags);
-mw_status mw_apply_motor_motion_f32(mw_motors_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
-                                    size_t index, const float *parameters, size_t parameter_count,
-                                    mw_const_motors_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_motor_motion_f64(mw_motors_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
-                                    size_t index, const double *parameters, size_t parameter_count,
-                                    mw_const_motors_f64 in, size_t count, unsigned flags);
-mw_status mw_apply_bivector_motion_f32(mw_bivectors_f32 out, size_t row_stride, const mw_compiled_motion_f32 *motion,
-                                       size_t index, const float *parameters, size_t parameter_count,
-                                       mw_const_bivectors_f32 in, size_t count, unsigned flags);
-mw_status mw_apply_bivector_motion_f64(mw_bivectors_f64 out, size_t row_stride, const mw_compiled_motion_f64 *motion,
-                                       size_t index, const double *parameters, size_t parameter_count,
-                                       mw_const_bivectors_f64 in, size_t count, unsigned flags);
+mw_status mw_apply_point_motion_f32(float *out, size_t out_stride, size_t row_stride,
+                                    const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
+                                    size_t parameter_count, const float *in, size_t in_stride, size_t count,
+                                    unsigned flags);
+mw_status mw_apply_point_motion_f64(double *out, size_t out_stride, size_t row_stride,
+                                    const mw_compiled_motion_f64 *motion, size_t index, const double *parameters,
+                                    size_t parameter_count, const double *in, size_t in_stride, size_t count,
+                                    unsigned flags);
+mw_status mw_apply_direction_motion_f32(float *out, size_t out_stride, size_t row_stride,
+                                        const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
+                                        size_t parameter_count, const float *in, size_t in_stride, size_t count,
+                                        unsigned flags);
+mw_status mw_apply_direction_motion_f64(double *out, size_t out_stride, size_t row_stride,
+                                        const mw_compiled_motion_f64 *motion, size_t index, const double *parameters,
+                                        size_t parameter_count, const double *in, size_t in_stride, size_t count,
+                                        unsigned flags);
+mw_status mw_apply_tangent_motion_f32(float *out, size_t out_stride, size_t row_stride,
+                                      const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
+                                      size_t parameter_count, const float *in, size_t in_stride, size_t count,
+                                      unsigned flags);
+mw_status mw_apply_tangent_motion_f64(double *out, size_t out_stride, size_t row_stride,
+                                      const mw_compiled_motion_f64 *motion, size_t index, const double *parameters,
+                                      size_t parameter_count, const double *in, size_t in_stride, size_t count,
+                                      unsigned flags);
+mw_status mw_apply_vertex_motion_f32(float *out_positions, float *out_normals, size_t out_stride, size_t row_stride,
+                                     const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
+                                     size_t parameter_count, const float *in_positions, const float *in_normals,
+                                     size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_vertex_motion_f64(double *out_positions, double *out_normals, size_t out_stride, size_t row_stride,
+                                     const mw_compiled_motion_f64 *motion, size_t index, const double *parameters,
+                                     size_t parameter_count, const double *in_positions, const double *in_normals,
+                                     size_t in_stride, size_t count, unsigned flags);
+mw_status mw_apply_vector_motion_f32(float *out, size_t out_stride, size_t row_stride,
+                                     const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
+                                     size_t parameter_count, const float *in, size_t in_stride, size_t count,
+                                     unsigned flags);
+mw_status mw_apply_vector_motion_f64(double *out, size_t out_stride, size_t row_stride,
+                                     const mw_compiled_motion_f64 *motion, size_t index, const double *parameters,
+                                     size_t parameter_count, const double *in, size_t in_stride, size_t count,
+                                     unsigned flags);
+mw_status mw_apply_line_motion_f32(float *out, size_t out_stride, size_t row_stride,
+                                   const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
+                                   size_t parameter_count, const float *in, size_t in_stride, size_t count,
+                                   unsigned flags);
+mw_status mw_apply_line_motion_f64(double *out, size_t out_stride, size_t row_stride,
+                                   const mw_compiled_motion_f64 *motion, size_t index, const double *parameters,
+                                   size_t parameter_count, const double *in, size_t in_stride, size_t count,
+                                   unsigned flags);
+mw_status mw_apply_motor_motion_f32(mw_motor_f32 *out, size_t out_stride, size_t row_stride,
+                                    const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
+                                    size_t parameter_count, const mw_motor_f32 *in, size_t in_stride, size_t count,
+                                    unsigned flags);
+mw_status mw_apply_motor_motion_f64(mw_motor_f64 *out, size_t out_stride, size_t row_stride,
+                                    const mw_compiled_motion_f64 *motion, size_t index, const double *parameters,
+                                    size_t parameter_count, const mw_motor_f64 *in, size_t in_stride, size_t count,
+                                    unsigned flags);
+mw_status mw_apply_bivector_motion_f32(float *out, size_t out_stride, size_t row_stride,
+                                       const mw_compiled_motion_f32 *motion, size_t index, const float *parameters,
+                                       size_t parameter_count, const float *in, size_t in_stride, size_t count,
+                                       unsigned flags);
+mw_status mw_apply_bivector_motion_f64(double *out, size_t out_stride, size_t row_stride,
+                                       const mw_compiled_motion_f64 *motion, size_t index, const double *parameters,
+                                       size_t parameter_count, const double *in, size_t in_stride, size_t count,
+                                       unsigned flags);
 
 /* The velocity of the point of the body that is at `place`, under a twist of the space.
  * Errors: MW_ERROR_NULL. */
@@ -1345,10 +1261,10 @@ typedef struct mw_motion_distance_f64 {
  * Errors: MW_ERROR_NULL, MW_ERROR_STRIDE, MW_ERROR_SIZE, MW_ERROR_MOTION, MW_ERROR_MOTION_INDEX. */
 mw_status mw_compare_motions_f32(mw_motion_distance_f32 *largest, const mw_compiled_motion_f32 *first,
                                  size_t first_index, const mw_compiled_motion_f32 *second, size_t second_index,
-                                 mw_const_xyz_f32 points, size_t count, size_t sample_count);
+                                 const float *points, size_t point_stride, size_t count, size_t sample_count);
 mw_status mw_compare_motions_f64(mw_motion_distance_f64 *largest, const mw_compiled_motion_f64 *first,
                                  size_t first_index, const mw_compiled_motion_f64 *second, size_t second_index,
-                                 mw_const_xyz_f64 points, size_t count, size_t sample_count);
+                                 const double *points, size_t point_stride, size_t count, size_t sample_count);
 
 /* ---------------------------------------------------------------------------------- making and editing motions --- */
 
@@ -1378,10 +1294,10 @@ typedef struct mw_motion_arrays_f64 {
  * time), MW_ERROR_DEGENERATE_MOTOR (where: the key), MW_ERROR_MEMORY (also arrays that are too small), MW_ERROR_SIZE,
  * MW_ERROR_OVERLAP, MW_ERROR_CONVERGENCE (no controls, or none less than a full turn apart from their neighbours:
  * cumulative motions through keys that turn far between each other, at uneven times, need such ones. Add keys). */
-mw_status mw_interpolate_keys_f32(mw_motion_f32 *out, mw_motion_arrays_f32 arrays, mw_motion_kind kind,
+mw_status mw_interpolate_keys_f32(mw_motion_f32 *out, const mw_motion_arrays_f32 *arrays, mw_motion_kind kind,
                                   unsigned degree, const mw_motor_f32 *keys, const float *times, size_t count,
                                   void *memory, size_t *size, size_t *where);
-mw_status mw_interpolate_keys_f64(mw_motion_f64 *out, mw_motion_arrays_f64 arrays, mw_motion_kind kind,
+mw_status mw_interpolate_keys_f64(mw_motion_f64 *out, const mw_motion_arrays_f64 *arrays, mw_motion_kind kind,
                                   unsigned degree, const mw_motor_f64 *keys, const double *times, size_t count,
                                   void *memory, size_t *size, size_t *where);
 
@@ -1395,18 +1311,17 @@ mw_status mw_interpolate_keys_f64(mw_motion_f64 *out, mw_motion_arrays_f64 array
  * MW_ERROR_SIZE, MW_ERROR_PARAMETER (the knot is not strictly inside the domain), MW_ERROR_KNOTS (it would be
  * repeated more than degree + 1 times, or is less than a normal number from another), MW_ERROR_DEGREE (beyond
  * MW_MAX_DEGREE), MW_ERROR_OVERLAP, MW_ERROR_MEMORY (the arrays are too small). */
-mw_status mw_insert_knot_f32(mw_motion_f32 *out, mw_motion_arrays_f32 arrays, const mw_motion_f32 *motion, float knot,
-                             unsigned times);
-mw_status mw_insert_knot_f64(mw_motion_f64 *out, mw_motion_arrays_f64 arrays, const mw_motion_f64 *motion,
+mw_status mw_insert_knot_f32(mw_motion_f32 *out, const mw_motion_arrays_f32 *arrays, const mw_motion_f32 *motion,
+                             float knot, unsigned times);
+mw_status mw_insert_knot_f64(mw_motion_f64 *out, const mw_motion_arrays_f64 *arrays, const mw_motion_f64 *motion,
                              double knot, unsigned times);
-mw_status mw_elevate_degree_f32(mw_motion_f32 *out, mw_motion_arrays_f32 arrays, const mw_motion_f32 *motion);
-mw_status mw_elevate_degree_f64(mw_motion_f64 *out, mw_motion_arrays_f64 arrays, const mw_motion_f64 *motion);
-mw_status mw_split_motion_f32(mw_motion_f32 *before, mw_motion_arrays_f32 before_arrays, mw_motion_f32 *after,
-                              mw_motion_arrays_f32 after_arrays, const mw_motion_f32 *motion, float at);
-mw_status mw_split_motion_f64(mw_motion_f64 *before, mw_motion_arrays_f64 before_arrays, mw_motion_f64 *after,
-                              mw_motion_arrays_f64 after_arrays, const mw_motion_f64 *motion, double at);
+mw_status mw_elevate_degree_f32(mw_motion_f32 *out, const mw_motion_arrays_f32 *arrays, const mw_motion_f32 *motion);
+mw_status mw_elevate_degree_f64(mw_motion_f64 *out, const mw_motion_arrays_f64 *arrays, const mw_motion_f64 *motion);
+mw_status mw_split_motion_f32(mw_motion_f32 *before, const mw_motion_arrays_f32 *before_arrays, mw_motion_f32 *after,
+                              const mw_motion_arrays_f32 *after_arrays, const mw_motion_f32 *motion, float at);
+mw_status mw_split_motion_f64(mw_motion_f64 *before, const mw_motion_arrays_f64 *before_arrays, mw_motion_f64 *after,
+                              const mw_motion_arrays_f64 *after_arrays, const mw_motion_f64 *motion, double at);
 
-#undef MW_CAST
 #undef MW_ENUMERATION
 #ifdef __GNUC__
 #pragma GCC visibility pop

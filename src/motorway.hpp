@@ -5,7 +5,7 @@
 //     motorway::apply_point_one(motorway::aos(out), motor, motorway::aos(points), count);
 #pragma once
 
-#include "motorway.h"
+#include "motorway_views.h"
 
 namespace motorway {
 
@@ -169,9 +169,14 @@ inline mw_indices indices(const uint8_t *first, size_t stride = 1) { return mw_i
 inline mw_indices indices(const uint16_t *first, size_t stride = 2) { return mw_indices_u16(first, stride); }
 inline mw_indices indices(const uint32_t *first, size_t stride = 4) { return mw_indices_u32(first, stride); }
 
-[[nodiscard]] inline const char *status_text(mw_status status)
+[[nodiscard]] inline unsigned version()
 {
-    return mw_status_text(status);
+    return mw_version();
+}
+
+[[nodiscard]] inline const char *status_text(mw_status of)
+{
+    return mw_status_text(of);
 }
 
 [[nodiscard]] inline const char *isa()
@@ -182,6 +187,521 @@ inline mw_indices indices(const uint32_t *first, size_t stride = 4) { return mw_
 [[nodiscard]] inline const char *isas()
 {
     return mw_isas();
+}
+
+[[nodiscard]] inline status apply_point_one(mw_xyz_f32 out, const motor<float> &motor, const_xyz<float> in,
+                                            size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_point_one_views_f32(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_point_one(mw_xyz_f64 out, const motor<double> &motor, const_xyz<double> in,
+                                            size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_point_one_views_f64(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_point_each(mw_xyz_f32 out, const_motors<float> motors, const_xyz<float> in,
+                                             size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_point_each_views_f32(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_point_each(mw_xyz_f64 out, const_motors<double> motors, const_xyz<double> in,
+                                             size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_point_each_views_f64(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_point_grid(mw_xyz_f32 out, size_t row_stride, const_motors<float> motors,
+                                             size_t motor_count, const_xyz<float> in, size_t count,
+                                             unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_point_grid_views_f32(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_point_grid(mw_xyz_f64 out, size_t row_stride, const_motors<double> motors,
+                                             size_t motor_count, const_xyz<double> in, size_t count,
+                                             unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_point_grid_views_f64(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_point_indexed(mw_xyz_f32 out, const motor<float> *palette, size_t palette_count,
+                                                mw_indices indices, const_xyz<float> in, size_t count,
+                                                unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_point_indexed_views_f32(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_point_indexed(mw_xyz_f64 out, const motor<double> *palette, size_t palette_count,
+                                                mw_indices indices, const_xyz<double> in, size_t count,
+                                                unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_point_indexed_views_f64(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_point_indexed_checked(mw_xyz_f32 out, const motor<float> *palette,
+                                                        size_t palette_count, mw_indices indices, const_xyz<float> in,
+                                                        size_t count, unsigned flags = MW_DEFAULT,
+                                                        size_t *first_bad = nullptr)
+{
+    return mw_apply_point_indexed_checked_views_f32(&out, palette, palette_count, &indices, &in, count, flags, first_bad);
+}
+[[nodiscard]] inline status apply_point_indexed_checked(mw_xyz_f64 out, const motor<double> *palette,
+                                                        size_t palette_count, mw_indices indices,
+                                                        const_xyz<double> in, size_t count,
+                                                        unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_point_indexed_checked_views_f64(&out, palette, palette_count, &indices, &in, count, flags, first_bad);
+}
+[[nodiscard]] inline status apply_direction_one(mw_xyz_f32 out, const motor<float> &motor, const_xyz<float> in,
+                                                size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_direction_one_views_f32(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_direction_one(mw_xyz_f64 out, const motor<double> &motor, const_xyz<double> in,
+                                                size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_direction_one_views_f64(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_direction_each(mw_xyz_f32 out, const_motors<float> motors, const_xyz<float> in,
+                                                 size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_direction_each_views_f32(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_direction_each(mw_xyz_f64 out, const_motors<double> motors, const_xyz<double> in,
+                                                 size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_direction_each_views_f64(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_direction_grid(mw_xyz_f32 out, size_t row_stride, const_motors<float> motors,
+                                                 size_t motor_count, const_xyz<float> in, size_t count,
+                                                 unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_direction_grid_views_f32(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_direction_grid(mw_xyz_f64 out, size_t row_stride, const_motors<double> motors,
+                                                 size_t motor_count, const_xyz<double> in, size_t count,
+                                                 unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_direction_grid_views_f64(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_direction_indexed(mw_xyz_f32 out, const motor<float> *palette, size_t palette_count,
+                                                    mw_indices indices, const_xyz<float> in, size_t count,
+                                                    unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_direction_indexed_views_f32(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_direction_indexed(mw_xyz_f64 out, const motor<double> *palette,
+                                                    size_t palette_count, mw_indices indices, const_xyz<double> in,
+                                                    size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_direction_indexed_views_f64(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_direction_indexed_checked(mw_xyz_f32 out, const motor<float> *palette,
+                                                            size_t palette_count, mw_indices indices,
+                                                            const_xyz<float> in, size_t count,
+                                                            unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_direction_indexed_checked_views_f32(&out, palette, palette_count, &indices, &in, count, flags,
+                                                        first_bad);
+}
+[[nodiscard]] inline status apply_direction_indexed_checked(mw_xyz_f64 out, const motor<double> *palette,
+                                                            size_t palette_count, mw_indices indices,
+                                                            const_xyz<double> in, size_t count,
+                                                            unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_direction_indexed_checked_views_f64(&out, palette, palette_count, &indices, &in, count, flags,
+                                                        first_bad);
+}
+[[nodiscard]] inline status apply_tangent_one(mw_xyzw_f32 out, const motor<float> &motor, const_xyzw<float> in,
+                                              size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_tangent_one_views_f32(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_tangent_one(mw_xyzw_f64 out, const motor<double> &motor, const_xyzw<double> in,
+                                              size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_tangent_one_views_f64(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_tangent_each(mw_xyzw_f32 out, const_motors<float> motors, const_xyzw<float> in,
+                                               size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_tangent_each_views_f32(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_tangent_each(mw_xyzw_f64 out, const_motors<double> motors, const_xyzw<double> in,
+                                               size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_tangent_each_views_f64(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_tangent_grid(mw_xyzw_f32 out, size_t row_stride, const_motors<float> motors,
+                                               size_t motor_count, const_xyzw<float> in, size_t count,
+                                               unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_tangent_grid_views_f32(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_tangent_grid(mw_xyzw_f64 out, size_t row_stride, const_motors<double> motors,
+                                               size_t motor_count, const_xyzw<double> in, size_t count,
+                                               unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_tangent_grid_views_f64(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_tangent_indexed(mw_xyzw_f32 out, const motor<float> *palette, size_t palette_count,
+                                                  mw_indices indices, const_xyzw<float> in, size_t count,
+                                                  unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_tangent_indexed_views_f32(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_tangent_indexed(mw_xyzw_f64 out, const motor<double> *palette, size_t palette_count,
+                                                  mw_indices indices, const_xyzw<double> in, size_t count,
+                                                  unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_tangent_indexed_views_f64(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_tangent_indexed_checked(mw_xyzw_f32 out, const motor<float> *palette,
+                                                          size_t palette_count, mw_indices indices,
+                                                          const_xyzw<float> in, size_t count,
+                                                          unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_tangent_indexed_checked_views_f32(&out, palette, palette_count, &indices, &in, count, flags,
+                                                      first_bad);
+}
+[[nodiscard]] inline status apply_tangent_indexed_checked(mw_xyzw_f64 out, const motor<double> *palette,
+                                                          size_t palette_count, mw_indices indices,
+                                                          const_xyzw<double> in, size_t count,
+                                                          unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_tangent_indexed_checked_views_f64(&out, palette, palette_count, &indices, &in, count, flags,
+                                                      first_bad);
+}
+[[nodiscard]] inline status apply_vertex_one(mw_vertices_f32 out, const motor<float> &motor, const_vertices<float> in,
+                                             size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vertex_one_views_f32(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vertex_one(mw_vertices_f64 out, const motor<double> &motor,
+                                             const_vertices<double> in, size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vertex_one_views_f64(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vertex_each(mw_vertices_f32 out, const_motors<float> motors,
+                                              const_vertices<float> in, size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vertex_each_views_f32(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vertex_each(mw_vertices_f64 out, const_motors<double> motors,
+                                              const_vertices<double> in, size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vertex_each_views_f64(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vertex_grid(mw_vertices_f32 out, size_t row_stride, const_motors<float> motors,
+                                              size_t motor_count, const_vertices<float> in, size_t count,
+                                              unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vertex_grid_views_f32(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vertex_grid(mw_vertices_f64 out, size_t row_stride, const_motors<double> motors,
+                                              size_t motor_count, const_vertices<double> in, size_t count,
+                                              unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vertex_grid_views_f64(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vertex_indexed(mw_vertices_f32 out, const motor<float> *palette,
+                                                 size_t palette_count, mw_indices indices, const_vertices<float> in,
+                                                 size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vertex_indexed_views_f32(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vertex_indexed(mw_vertices_f64 out, const motor<double> *palette,
+                                                 size_t palette_count, mw_indices indices, const_vertices<double> in,
+                                                 size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vertex_indexed_views_f64(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vertex_indexed_checked(mw_vertices_f32 out, const motor<float> *palette,
+                                                         size_t palette_count, mw_indices indices,
+                                                         const_vertices<float> in, size_t count,
+                                                         unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_vertex_indexed_checked_views_f32(&out, palette, palette_count, &indices, &in, count, flags,
+                                                     first_bad);
+}
+[[nodiscard]] inline status apply_vertex_indexed_checked(mw_vertices_f64 out, const motor<double> *palette,
+                                                         size_t palette_count, mw_indices indices,
+                                                         const_vertices<double> in, size_t count,
+                                                         unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_vertex_indexed_checked_views_f64(&out, palette, palette_count, &indices, &in, count, flags,
+                                                     first_bad);
+}
+[[nodiscard]] inline status apply_vector_one(mw_vectors_f32 out, const motor<float> &motor, const_vectors<float> in,
+                                             size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vector_one_views_f32(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vector_one(mw_vectors_f64 out, const motor<double> &motor, const_vectors<double> in,
+                                             size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vector_one_views_f64(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vector_each(mw_vectors_f32 out, const_motors<float> motors, const_vectors<float> in,
+                                              size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vector_each_views_f32(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vector_each(mw_vectors_f64 out, const_motors<double> motors,
+                                              const_vectors<double> in, size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vector_each_views_f64(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vector_grid(mw_vectors_f32 out, size_t row_stride, const_motors<float> motors,
+                                              size_t motor_count, const_vectors<float> in, size_t count,
+                                              unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vector_grid_views_f32(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vector_grid(mw_vectors_f64 out, size_t row_stride, const_motors<double> motors,
+                                              size_t motor_count, const_vectors<double> in, size_t count,
+                                              unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vector_grid_views_f64(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vector_indexed(mw_vectors_f32 out, const motor<float> *palette,
+                                                 size_t palette_count, mw_indices indices, const_vectors<float> in,
+                                                 size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vector_indexed_views_f32(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vector_indexed(mw_vectors_f64 out, const motor<double> *palette,
+                                                 size_t palette_count, mw_indices indices, const_vectors<double> in,
+                                                 size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_vector_indexed_views_f64(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_vector_indexed_checked(mw_vectors_f32 out, const motor<float> *palette,
+                                                         size_t palette_count, mw_indices indices,
+                                                         const_vectors<float> in, size_t count,
+                                                         unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_vector_indexed_checked_views_f32(&out, palette, palette_count, &indices, &in, count, flags,
+                                                     first_bad);
+}
+[[nodiscard]] inline status apply_vector_indexed_checked(mw_vectors_f64 out, const motor<double> *palette,
+                                                         size_t palette_count, mw_indices indices,
+                                                         const_vectors<double> in, size_t count,
+                                                         unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_vector_indexed_checked_views_f64(&out, palette, palette_count, &indices, &in, count, flags,
+                                                     first_bad);
+}
+[[nodiscard]] inline status apply_line_one(mw_lines_f32 out, const motor<float> &motor, const_lines<float> in,
+                                           size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_line_one_views_f32(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_line_one(mw_lines_f64 out, const motor<double> &motor, const_lines<double> in,
+                                           size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_line_one_views_f64(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_line_each(mw_lines_f32 out, const_motors<float> motors, const_lines<float> in,
+                                            size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_line_each_views_f32(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_line_each(mw_lines_f64 out, const_motors<double> motors, const_lines<double> in,
+                                            size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_line_each_views_f64(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_line_grid(mw_lines_f32 out, size_t row_stride, const_motors<float> motors,
+                                            size_t motor_count, const_lines<float> in, size_t count,
+                                            unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_line_grid_views_f32(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_line_grid(mw_lines_f64 out, size_t row_stride, const_motors<double> motors,
+                                            size_t motor_count, const_lines<double> in, size_t count,
+                                            unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_line_grid_views_f64(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_line_indexed(mw_lines_f32 out, const motor<float> *palette, size_t palette_count,
+                                               mw_indices indices, const_lines<float> in, size_t count,
+                                               unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_line_indexed_views_f32(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_line_indexed(mw_lines_f64 out, const motor<double> *palette, size_t palette_count,
+                                               mw_indices indices, const_lines<double> in, size_t count,
+                                               unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_line_indexed_views_f64(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_line_indexed_checked(mw_lines_f32 out, const motor<float> *palette,
+                                                       size_t palette_count, mw_indices indices,
+                                                       const_lines<float> in, size_t count,
+                                                       unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_line_indexed_checked_views_f32(&out, palette, palette_count, &indices, &in, count, flags, first_bad);
+}
+[[nodiscard]] inline status apply_line_indexed_checked(mw_lines_f64 out, const motor<double> *palette,
+                                                       size_t palette_count, mw_indices indices,
+                                                       const_lines<double> in, size_t count,
+                                                       unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_line_indexed_checked_views_f64(&out, palette, palette_count, &indices, &in, count, flags, first_bad);
+}
+[[nodiscard]] inline status apply_motor_one(mw_motors_f32 out, const motor<float> &motor, const_motors<float> in,
+                                            size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_motor_one_views_f32(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_motor_one(mw_motors_f64 out, const motor<double> &motor, const_motors<double> in,
+                                            size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_motor_one_views_f64(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_motor_each(mw_motors_f32 out, const_motors<float> motors, const_motors<float> in,
+                                             size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_motor_each_views_f32(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_motor_each(mw_motors_f64 out, const_motors<double> motors, const_motors<double> in,
+                                             size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_motor_each_views_f64(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_motor_grid(mw_motors_f32 out, size_t row_stride, const_motors<float> motors,
+                                             size_t motor_count, const_motors<float> in, size_t count,
+                                             unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_motor_grid_views_f32(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_motor_grid(mw_motors_f64 out, size_t row_stride, const_motors<double> motors,
+                                             size_t motor_count, const_motors<double> in, size_t count,
+                                             unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_motor_grid_views_f64(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_motor_indexed(mw_motors_f32 out, const motor<float> *palette, size_t palette_count,
+                                                mw_indices indices, const_motors<float> in, size_t count,
+                                                unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_motor_indexed_views_f32(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_motor_indexed(mw_motors_f64 out, const motor<double> *palette, size_t palette_count,
+                                                mw_indices indices, const_motors<double> in, size_t count,
+                                                unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_motor_indexed_views_f64(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_motor_indexed_checked(mw_motors_f32 out, const motor<float> *palette,
+                                                        size_t palette_count, mw_indices indices,
+                                                        const_motors<float> in, size_t count,
+                                                        unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_motor_indexed_checked_views_f32(&out, palette, palette_count, &indices, &in, count, flags, first_bad);
+}
+[[nodiscard]] inline status apply_motor_indexed_checked(mw_motors_f64 out, const motor<double> *palette,
+                                                        size_t palette_count, mw_indices indices,
+                                                        const_motors<double> in, size_t count,
+                                                        unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_motor_indexed_checked_views_f64(&out, palette, palette_count, &indices, &in, count, flags, first_bad);
+}
+[[nodiscard]] inline status apply_bivector_one(mw_bivectors_f32 out, const motor<float> &motor,
+                                               const_bivectors<float> in, size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_bivector_one_views_f32(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_bivector_one(mw_bivectors_f64 out, const motor<double> &motor,
+                                               const_bivectors<double> in, size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_bivector_one_views_f64(&out, &motor, &in, count, flags);
+}
+[[nodiscard]] inline status apply_bivector_each(mw_bivectors_f32 out, const_motors<float> motors,
+                                                const_bivectors<float> in, size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_bivector_each_views_f32(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_bivector_each(mw_bivectors_f64 out, const_motors<double> motors,
+                                                const_bivectors<double> in, size_t count, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_bivector_each_views_f64(&out, &motors, &in, count, flags);
+}
+[[nodiscard]] inline status apply_bivector_grid(mw_bivectors_f32 out, size_t row_stride, const_motors<float> motors,
+                                                size_t motor_count, const_bivectors<float> in, size_t count,
+                                                unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_bivector_grid_views_f32(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_bivector_grid(mw_bivectors_f64 out, size_t row_stride, const_motors<double> motors,
+                                                size_t motor_count, const_bivectors<double> in, size_t count,
+                                                unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_bivector_grid_views_f64(&out, row_stride, &motors, motor_count, &in, count, flags);
+}
+[[nodiscard]] inline status apply_bivector_indexed(mw_bivectors_f32 out, const motor<float> *palette,
+                                                   size_t palette_count, mw_indices indices,
+                                                   const_bivectors<float> in, size_t count,
+                                                   unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_bivector_indexed_views_f32(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_bivector_indexed(mw_bivectors_f64 out, const motor<double> *palette,
+                                                   size_t palette_count, mw_indices indices,
+                                                   const_bivectors<double> in, size_t count,
+                                                   unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_bivector_indexed_views_f64(&out, palette, palette_count, &indices, &in, count, flags);
+}
+[[nodiscard]] inline status apply_bivector_indexed_checked(mw_bivectors_f32 out, const motor<float> *palette,
+                                                           size_t palette_count, mw_indices indices,
+                                                           const_bivectors<float> in, size_t count,
+                                                           unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_bivector_indexed_checked_views_f32(&out, palette, palette_count, &indices, &in, count, flags,
+                                                       first_bad);
+}
+[[nodiscard]] inline status apply_bivector_indexed_checked(mw_bivectors_f64 out, const motor<double> *palette,
+                                                           size_t palette_count, mw_indices indices,
+                                                           const_bivectors<double> in, size_t count,
+                                                           unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
+{
+    return mw_apply_bivector_indexed_checked_views_f64(&out, palette, palette_count, &indices, &in, count, flags,
+                                                       first_bad);
+}
+
+[[nodiscard]] inline status apply_point_one(mw_xyz_f32 out, const motor<double> &motor, const_xyz<float> points,
+                                            size_t count, const mw_shift &shift = {}, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_point_one_views_mixed(&out, &motor, &shift, &points, count, flags);
+}
+[[nodiscard]] inline status apply_point_each(mw_xyz_f32 out, const_motors<double> motors, const_xyz<float> points,
+                                             size_t count, const mw_shift &shift = {}, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_point_each_views_mixed(&out, &motors, &shift, &points, count, flags);
+}
+[[nodiscard]] inline status apply_point_grid(mw_xyz_f32 out, size_t row_stride, const_motors<double> motors,
+                                             size_t motor_count, const_xyz<float> points, size_t count,
+                                             const mw_shift &shift = {}, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_point_grid_views_mixed(&out, row_stride, &motors, motor_count, &shift, &points, count, flags);
+}
+[[nodiscard]] inline status apply_point_indexed(mw_xyz_f32 out, const motor<double> *palette, size_t palette_count,
+                                                mw_indices indices, const_xyz<float> points, size_t count,
+                                                const mw_shift &shift = {}, unsigned flags = MW_DEFAULT)
+{
+    return mw_apply_point_indexed_views_mixed(&out, palette, palette_count, &indices, &shift, &points, count, flags);
+}
+[[nodiscard]] inline status apply_point_indexed_checked(mw_xyz_f32 out, const motor<double> *palette,
+                                                        size_t palette_count, mw_indices indices,
+                                                        const_xyz<float> points, size_t count,
+                                                        const mw_shift &shift = {}, unsigned flags = MW_DEFAULT,
+                                                        size_t *first_bad = nullptr)
+{
+    return mw_apply_point_indexed_checked_views_mixed(&out, palette, palette_count, &indices, &shift, &points, count,
+                                                      flags, first_bad);
+}
+
+[[nodiscard]] inline status check_indices(mw_indices indices, size_t count, size_t palette_count,
+                                          size_t *first_bad = nullptr)
+{
+    return mw_check_indices_views(&indices, count, palette_count, first_bad);
 }
 
 [[nodiscard]] inline status translation(motor<float> &out, const float (&offset)[3])
@@ -206,194 +726,194 @@ inline mw_indices indices(const uint32_t *first, size_t stride = 4) { return mw_
 
 [[nodiscard]] inline status check_motors(const_motors<float> motors, size_t count, size_t *first_bad = nullptr)
 {
-    return mw_check_motors_f32(motors, count, first_bad);
+    return mw_check_motors_views_f32(&motors, count, first_bad);
 }
 [[nodiscard]] inline status check_motors(const_motors<double> motors, size_t count, size_t *first_bad = nullptr)
 {
-    return mw_check_motors_f64(motors, count, first_bad);
+    return mw_check_motors_views_f64(&motors, count, first_bad);
 }
 
 [[nodiscard]] inline status compose_motor_each(mw_motors_f32 out, const_motors<float> first, const_motors<float> then,
                                                size_t count)
 {
-    return mw_compose_motor_each_f32(out, first, then, count);
+    return mw_compose_motor_each_views_f32(&out, &first, &then, count);
 }
 [[nodiscard]] inline status compose_motor_each(mw_motors_f64 out, const_motors<double> first,
                                                const_motors<double> then, size_t count)
 {
-    return mw_compose_motor_each_f64(out, first, then, count);
+    return mw_compose_motor_each_views_f64(&out, &first, &then, count);
 }
 
 [[nodiscard]] inline status compose_motor_one_first(mw_motors_f32 out, const motor<float> &first,
                                                     const_motors<float> then, size_t count)
 {
-    return mw_compose_motor_one_first_f32(out, &first, then, count);
+    return mw_compose_motor_one_first_views_f32(&out, &first, &then, count);
 }
 [[nodiscard]] inline status compose_motor_one_first(mw_motors_f64 out, const motor<double> &first,
                                                     const_motors<double> then, size_t count)
 {
-    return mw_compose_motor_one_first_f64(out, &first, then, count);
+    return mw_compose_motor_one_first_views_f64(&out, &first, &then, count);
 }
 [[nodiscard]] inline status compose_motor_one_then(mw_motors_f32 out, const_motors<float> first,
                                                    const motor<float> &then, size_t count)
 {
-    return mw_compose_motor_one_then_f32(out, first, &then, count);
+    return mw_compose_motor_one_then_views_f32(&out, &first, &then, count);
 }
 [[nodiscard]] inline status compose_motor_one_then(mw_motors_f64 out, const_motors<double> first,
                                                    const motor<double> &then, size_t count)
 {
-    return mw_compose_motor_one_then_f64(out, first, &then, count);
+    return mw_compose_motor_one_then_views_f64(&out, &first, &then, count);
 }
 
 [[nodiscard]] inline status compose_motor_hierarchy(mw_motors_f32 out, const_motors<float> locals,
                                                     size_t joint_stride, const int32_t *parents, size_t joint_count,
                                                     size_t count, size_t *first_bad = nullptr)
 {
-    return mw_compose_motor_hierarchy_f32(out, locals, joint_stride, parents, joint_count, count, first_bad);
+    return mw_compose_motor_hierarchy_views_f32(&out, &locals, joint_stride, parents, joint_count, count, first_bad);
 }
 [[nodiscard]] inline status compose_motor_hierarchy(mw_motors_f64 out, const_motors<double> locals,
                                                     size_t joint_stride, const int32_t *parents, size_t joint_count,
                                                     size_t count, size_t *first_bad = nullptr)
 {
-    return mw_compose_motor_hierarchy_f64(out, locals, joint_stride, parents, joint_count, count, first_bad);
+    return mw_compose_motor_hierarchy_views_f64(&out, &locals, joint_stride, parents, joint_count, count, first_bad);
 }
 
 [[nodiscard]] inline status reverse_motor_each(mw_motors_f32 out, const_motors<float> motors, size_t count)
 {
-    return mw_reverse_motor_each_f32(out, motors, count);
+    return mw_reverse_motor_each_views_f32(&out, &motors, count);
 }
 [[nodiscard]] inline status reverse_motor_each(mw_motors_f64 out, const_motors<double> motors, size_t count)
 {
-    return mw_reverse_motor_each_f64(out, motors, count);
+    return mw_reverse_motor_each_views_f64(&out, &motors, count);
 }
 
 [[nodiscard]] inline status normalize_motor_each(mw_motors_f32 out, const_motors<float> motors, size_t count)
 {
-    return mw_normalize_motor_each_f32(out, motors, count);
+    return mw_normalize_motor_each_views_f32(&out, &motors, count);
 }
 [[nodiscard]] inline status normalize_motor_each(mw_motors_f64 out, const_motors<double> motors, size_t count)
 {
-    return mw_normalize_motor_each_f64(out, motors, count);
+    return mw_normalize_motor_each_views_f64(&out, &motors, count);
 }
 
 [[nodiscard]] inline status inverse_motor_each(mw_motors_f32 out, const_motors<float> motors, size_t count)
 {
-    return mw_inverse_motor_each_f32(out, motors, count);
+    return mw_inverse_motor_each_views_f32(&out, &motors, count);
 }
 [[nodiscard]] inline status inverse_motor_each(mw_motors_f64 out, const_motors<double> motors, size_t count)
 {
-    return mw_inverse_motor_each_f64(out, motors, count);
+    return mw_inverse_motor_each_views_f64(&out, &motors, count);
 }
 
 [[nodiscard]] inline status ratio_motor_each(mw_motors_f32 out, const_motors<float> from, const_motors<float> to,
                                              size_t count, unsigned flags = MW_DEFAULT)
 {
-    return mw_ratio_motor_each_f32(out, from, to, count, flags);
+    return mw_ratio_motor_each_views_f32(&out, &from, &to, count, flags);
 }
 [[nodiscard]] inline status ratio_motor_each(mw_motors_f64 out, const_motors<double> from, const_motors<double> to,
                                              size_t count, unsigned flags = MW_DEFAULT)
 {
-    return mw_ratio_motor_each_f64(out, from, to, count, flags);
+    return mw_ratio_motor_each_views_f64(&out, &from, &to, count, flags);
 }
 
 [[nodiscard]] inline status exp_motor_each(mw_motors_f32 out, const_bivectors<float> generators, size_t count)
 {
-    return mw_exp_motor_each_f32(out, generators, count);
+    return mw_exp_motor_each_views_f32(&out, &generators, count);
 }
 [[nodiscard]] inline status exp_motor_each(mw_motors_f64 out, const_bivectors<double> generators, size_t count)
 {
-    return mw_exp_motor_each_f64(out, generators, count);
+    return mw_exp_motor_each_views_f64(&out, &generators, count);
 }
 
 [[nodiscard]] inline status log_motor_each(mw_bivectors_f32 out, const_motors<float> motors, size_t count,
                                            unsigned flags = MW_DEFAULT)
 {
-    return mw_log_motor_each_f32(out, motors, count, flags);
+    return mw_log_motor_each_views_f32(&out, &motors, count, flags);
 }
 [[nodiscard]] inline status log_motor_each(mw_bivectors_f64 out, const_motors<double> motors, size_t count,
                                            unsigned flags = MW_DEFAULT)
 {
-    return mw_log_motor_each_f64(out, motors, count, flags);
+    return mw_log_motor_each_views_f64(&out, &motors, count, flags);
 }
 [[nodiscard]] inline status log_principal_motor_each(mw_bivectors_f32 out, const_motors<float> motors, size_t count,
                                                      unsigned flags = MW_DEFAULT)
 {
-    return mw_log_principal_motor_each_f32(out, motors, count, flags);
+    return mw_log_principal_motor_each_views_f32(&out, &motors, count, flags);
 }
 [[nodiscard]] inline status log_principal_motor_each(mw_bivectors_f64 out, const_motors<double> motors, size_t count,
                                                      unsigned flags = MW_DEFAULT)
 {
-    return mw_log_principal_motor_each_f64(out, motors, count, flags);
+    return mw_log_principal_motor_each_views_f64(&out, &motors, count, flags);
 }
 
 [[nodiscard]] inline status sqrt_motor_each(mw_motors_f32 out, const_motors<float> motors, size_t count)
 {
-    return mw_sqrt_motor_each_f32(out, motors, count);
+    return mw_sqrt_motor_each_views_f32(&out, &motors, count);
 }
 [[nodiscard]] inline status sqrt_motor_each(mw_motors_f64 out, const_motors<double> motors, size_t count)
 {
-    return mw_sqrt_motor_each_f64(out, motors, count);
+    return mw_sqrt_motor_each_views_f64(&out, &motors, count);
 }
 
 [[nodiscard]] inline status power_motor_each(mw_motors_f32 out, const_motors<float> motors, const float *exponents,
                                              size_t exponent_stride, size_t count)
 {
-    return mw_power_motor_each_f32(out, motors, exponents, exponent_stride, count);
+    return mw_power_motor_each_views_f32(&out, &motors, exponents, exponent_stride, count);
 }
 [[nodiscard]] inline status power_motor_each(mw_motors_f64 out, const_motors<double> motors, const double *exponents,
                                              size_t exponent_stride, size_t count)
 {
-    return mw_power_motor_each_f64(out, motors, exponents, exponent_stride, count);
+    return mw_power_motor_each_views_f64(&out, &motors, exponents, exponent_stride, count);
 }
 
 [[nodiscard]] inline status slerp_motor_each(mw_motors_f32 out, const_motors<float> first, const_motors<float> second,
                                              const float *parameters, size_t parameter_stride, size_t count,
                                              unsigned flags = MW_DEFAULT)
 {
-    return mw_slerp_motor_each_f32(out, first, second, parameters, parameter_stride, count, flags);
+    return mw_slerp_motor_each_views_f32(&out, &first, &second, parameters, parameter_stride, count, flags);
 }
 [[nodiscard]] inline status slerp_motor_each(mw_motors_f64 out, const_motors<double> first,
                                              const_motors<double> second, const double *parameters,
                                              size_t parameter_stride, size_t count, unsigned flags = MW_DEFAULT)
 {
-    return mw_slerp_motor_each_f64(out, first, second, parameters, parameter_stride, count, flags);
+    return mw_slerp_motor_each_views_f64(&out, &first, &second, parameters, parameter_stride, count, flags);
 }
 [[nodiscard]] inline status slerp_motor_one(mw_motors_f32 out, const motor<float> &first, const motor<float> &second,
                                             const float *parameters, size_t parameter_stride, size_t count,
                                             unsigned flags = MW_DEFAULT)
 {
-    return mw_slerp_motor_one_f32(out, &first, &second, parameters, parameter_stride, count, flags);
+    return mw_slerp_motor_one_views_f32(&out, &first, &second, parameters, parameter_stride, count, flags);
 }
 [[nodiscard]] inline status slerp_motor_one(mw_motors_f64 out, const motor<double> &first,
                                             const motor<double> &second, const double *parameters,
                                             size_t parameter_stride, size_t count, unsigned flags = MW_DEFAULT)
 {
-    return mw_slerp_motor_one_f64(out, &first, &second, parameters, parameter_stride, count, flags);
+    return mw_slerp_motor_one_views_f64(&out, &first, &second, parameters, parameter_stride, count, flags);
 }
 
 [[nodiscard]] inline status nlerp_motor_each(mw_motors_f32 out, const_motors<float> first, const_motors<float> second,
                                              const float *parameters, size_t parameter_stride, size_t count,
                                              unsigned flags = MW_DEFAULT)
 {
-    return mw_nlerp_motor_each_f32(out, first, second, parameters, parameter_stride, count, flags);
+    return mw_nlerp_motor_each_views_f32(&out, &first, &second, parameters, parameter_stride, count, flags);
 }
 [[nodiscard]] inline status nlerp_motor_each(mw_motors_f64 out, const_motors<double> first,
                                              const_motors<double> second, const double *parameters,
                                              size_t parameter_stride, size_t count, unsigned flags = MW_DEFAULT)
 {
-    return mw_nlerp_motor_each_f64(out, first, second, parameters, parameter_stride, count, flags);
+    return mw_nlerp_motor_each_views_f64(&out, &first, &second, parameters, parameter_stride, count, flags);
 }
 [[nodiscard]] inline status nlerp_motor_one(mw_motors_f32 out, const motor<float> &first, const motor<float> &second,
                                             const float *parameters, size_t parameter_stride, size_t count,
                                             unsigned flags = MW_DEFAULT)
 {
-    return mw_nlerp_motor_one_f32(out, &first, &second, parameters, parameter_stride, count, flags);
+    return mw_nlerp_motor_one_views_f32(&out, &first, &second, parameters, parameter_stride, count, flags);
 }
 [[nodiscard]] inline status nlerp_motor_one(mw_motors_f64 out, const motor<double> &first,
                                             const motor<double> &second, const double *parameters,
                                             size_t parameter_stride, size_t count, unsigned flags = MW_DEFAULT)
 {
-    return mw_nlerp_motor_one_f64(out, &first, &second, parameters, parameter_stride, count, flags);
+    return mw_nlerp_motor_one_views_f64(&out, &first, &second, parameters, parameter_stride, count, flags);
 }
 
 [[nodiscard]] inline status split_bivector(twist<float> &out, const float (&bivector)[6])
@@ -425,709 +945,204 @@ inline mw_indices indices(const uint32_t *first, size_t stride = 4) { return mw_
 [[nodiscard]] inline status blend_motor_one(mw_motors_f32 out, const motor<float> *controls, weights<float> weights,
                                             size_t term_count, size_t count)
 {
-    return mw_blend_motor_one_f32(out, controls, weights, term_count, count);
+    return mw_blend_motor_one_views_f32(&out, controls, &weights, term_count, count);
 }
 [[nodiscard]] inline status blend_motor_one(mw_motors_f64 out, const motor<double> *controls, weights<double> weights,
                                             size_t term_count, size_t count)
 {
-    return mw_blend_motor_one_f64(out, controls, weights, term_count, count);
+    return mw_blend_motor_one_views_f64(&out, controls, &weights, term_count, count);
 }
 
 [[nodiscard]] inline status blend_motor_each(mw_motors_f32 out, const mw_const_motors_f32 *controls,
                                              weights<float> weights, size_t term_count, size_t count)
 {
-    return mw_blend_motor_each_f32(out, controls, weights, term_count, count);
+    return mw_blend_motor_each_views_f32(&out, controls, &weights, term_count, count);
 }
 [[nodiscard]] inline status blend_motor_each(mw_motors_f64 out, const mw_const_motors_f64 *controls,
                                              weights<double> weights, size_t term_count, size_t count)
 {
-    return mw_blend_motor_each_f64(out, controls, weights, term_count, count);
-}
-
-[[nodiscard]] inline status apply_point_one(mw_xyz_f32 out, const motor<float> &motor, const_xyz<float> in,
-                                            size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_point_one_f32(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_point_one(mw_xyz_f64 out, const motor<double> &motor, const_xyz<double> in,
-                                            size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_point_one_f64(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_point_each(mw_xyz_f32 out, const_motors<float> motors, const_xyz<float> in,
-                                             size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_point_each_f32(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_point_each(mw_xyz_f64 out, const_motors<double> motors, const_xyz<double> in,
-                                             size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_point_each_f64(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_point_grid(mw_xyz_f32 out, size_t row_stride, const_motors<float> motors,
-                                             size_t motor_count, const_xyz<float> in, size_t count,
-                                             unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_point_grid_f32(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_point_grid(mw_xyz_f64 out, size_t row_stride, const_motors<double> motors,
-                                             size_t motor_count, const_xyz<double> in, size_t count,
-                                             unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_point_grid_f64(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_point_indexed(mw_xyz_f32 out, const motor<float> *palette, size_t palette_count,
-                                                mw_indices indices, const_xyz<float> in, size_t count,
-                                                unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_point_indexed_f32(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_point_indexed(mw_xyz_f64 out, const motor<double> *palette, size_t palette_count,
-                                                mw_indices indices, const_xyz<double> in, size_t count,
-                                                unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_point_indexed_f64(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_point_indexed_checked(mw_xyz_f32 out, const motor<float> *palette,
-                                                        size_t palette_count, mw_indices indices, const_xyz<float> in,
-                                                        size_t count, unsigned flags = MW_DEFAULT,
-                                                        size_t *first_bad = nullptr)
-{
-    return mw_apply_point_indexed_checked_f32(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_point_indexed_checked(mw_xyz_f64 out, const motor<double> *palette,
-                                                        size_t palette_count, mw_indices indices,
-                                                        const_xyz<double> in, size_t count,
-                                                        unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_point_indexed_checked_f64(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_direction_one(mw_xyz_f32 out, const motor<float> &motor, const_xyz<float> in,
-                                                size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_direction_one_f32(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_direction_one(mw_xyz_f64 out, const motor<double> &motor, const_xyz<double> in,
-                                                size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_direction_one_f64(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_direction_each(mw_xyz_f32 out, const_motors<float> motors, const_xyz<float> in,
-                                                 size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_direction_each_f32(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_direction_each(mw_xyz_f64 out, const_motors<double> motors, const_xyz<double> in,
-                                                 size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_direction_each_f64(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_direction_grid(mw_xyz_f32 out, size_t row_stride, const_motors<float> motors,
-                                                 size_t motor_count, const_xyz<float> in, size_t count,
-                                                 unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_direction_grid_f32(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_direction_grid(mw_xyz_f64 out, size_t row_stride, const_motors<double> motors,
-                                                 size_t motor_count, const_xyz<double> in, size_t count,
-                                                 unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_direction_grid_f64(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_direction_indexed(mw_xyz_f32 out, const motor<float> *palette, size_t palette_count,
-                                                    mw_indices indices, const_xyz<float> in, size_t count,
-                                                    unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_direction_indexed_f32(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_direction_indexed(mw_xyz_f64 out, const motor<double> *palette,
-                                                    size_t palette_count, mw_indices indices, const_xyz<double> in,
-                                                    size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_direction_indexed_f64(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_direction_indexed_checked(mw_xyz_f32 out, const motor<float> *palette,
-                                                            size_t palette_count, mw_indices indices,
-                                                            const_xyz<float> in, size_t count,
-                                                            unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_direction_indexed_checked_f32(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_direction_indexed_checked(mw_xyz_f64 out, const motor<double> *palette,
-                                                            size_t palette_count, mw_indices indices,
-                                                            const_xyz<double> in, size_t count,
-                                                            unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_direction_indexed_checked_f64(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_tangent_one(mw_xyzw_f32 out, const motor<float> &motor, const_xyzw<float> in,
-                                              size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_tangent_one_f32(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_tangent_one(mw_xyzw_f64 out, const motor<double> &motor, const_xyzw<double> in,
-                                              size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_tangent_one_f64(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_tangent_each(mw_xyzw_f32 out, const_motors<float> motors, const_xyzw<float> in,
-                                               size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_tangent_each_f32(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_tangent_each(mw_xyzw_f64 out, const_motors<double> motors, const_xyzw<double> in,
-                                               size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_tangent_each_f64(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_tangent_grid(mw_xyzw_f32 out, size_t row_stride, const_motors<float> motors,
-                                               size_t motor_count, const_xyzw<float> in, size_t count,
-                                               unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_tangent_grid_f32(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_tangent_grid(mw_xyzw_f64 out, size_t row_stride, const_motors<double> motors,
-                                               size_t motor_count, const_xyzw<double> in, size_t count,
-                                               unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_tangent_grid_f64(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_tangent_indexed(mw_xyzw_f32 out, const motor<float> *palette, size_t palette_count,
-                                                  mw_indices indices, const_xyzw<float> in, size_t count,
-                                                  unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_tangent_indexed_f32(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_tangent_indexed(mw_xyzw_f64 out, const motor<double> *palette, size_t palette_count,
-                                                  mw_indices indices, const_xyzw<double> in, size_t count,
-                                                  unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_tangent_indexed_f64(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_tangent_indexed_checked(mw_xyzw_f32 out, const motor<float> *palette,
-                                                          size_t palette_count, mw_indices indices,
-                                                          const_xyzw<float> in, size_t count,
-                                                          unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_tangent_indexed_checked_f32(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_tangent_indexed_checked(mw_xyzw_f64 out, const motor<double> *palette,
-                                                          size_t palette_count, mw_indices indices,
-                                                          const_xyzw<double> in, size_t count,
-                                                          unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_tangent_indexed_checked_f64(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_vertex_one(mw_vertices_f32 out, const motor<float> &motor, const_vertices<float> in,
-                                             size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vertex_one_f32(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_vertex_one(mw_vertices_f64 out, const motor<double> &motor,
-                                             const_vertices<double> in, size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vertex_one_f64(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_vertex_each(mw_vertices_f32 out, const_motors<float> motors,
-                                              const_vertices<float> in, size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vertex_each_f32(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_vertex_each(mw_vertices_f64 out, const_motors<double> motors,
-                                              const_vertices<double> in, size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vertex_each_f64(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_vertex_grid(mw_vertices_f32 out, size_t row_stride, const_motors<float> motors,
-                                              size_t motor_count, const_vertices<float> in, size_t count,
-                                              unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vertex_grid_f32(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_vertex_grid(mw_vertices_f64 out, size_t row_stride, const_motors<double> motors,
-                                              size_t motor_count, const_vertices<double> in, size_t count,
-                                              unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vertex_grid_f64(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_vertex_indexed(mw_vertices_f32 out, const motor<float> *palette,
-                                                 size_t palette_count, mw_indices indices, const_vertices<float> in,
-                                                 size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vertex_indexed_f32(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_vertex_indexed(mw_vertices_f64 out, const motor<double> *palette,
-                                                 size_t palette_count, mw_indices indices, const_vertices<double> in,
-                                                 size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vertex_indexed_f64(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_vertex_indexed_checked(mw_vertices_f32 out, const motor<float> *palette,
-                                                         size_t palette_count, mw_indices indices,
-                                                         const_vertices<float> in, size_t count,
-                                                         unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_vertex_indexed_checked_f32(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_vertex_indexed_checked(mw_vertices_f64 out, const motor<double> *palette,
-                                                         size_t palette_count, mw_indices indices,
-                                                         const_vertices<double> in, size_t count,
-                                                         unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_vertex_indexed_checked_f64(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_vector_one(mw_vectors_f32 out, const motor<float> &motor, const_vectors<float> in,
-                                             size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vector_one_f32(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_vector_one(mw_vectors_f64 out, const motor<double> &motor, const_vectors<double> in,
-                                             size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vector_one_f64(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_vector_each(mw_vectors_f32 out, const_motors<float> motors, const_vectors<float> in,
-                                              size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vector_each_f32(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_vector_each(mw_vectors_f64 out, const_motors<double> motors,
-                                              const_vectors<double> in, size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vector_each_f64(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_vector_grid(mw_vectors_f32 out, size_t row_stride, const_motors<float> motors,
-                                              size_t motor_count, const_vectors<float> in, size_t count,
-                                              unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vector_grid_f32(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_vector_grid(mw_vectors_f64 out, size_t row_stride, const_motors<double> motors,
-                                              size_t motor_count, const_vectors<double> in, size_t count,
-                                              unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vector_grid_f64(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_vector_indexed(mw_vectors_f32 out, const motor<float> *palette,
-                                                 size_t palette_count, mw_indices indices, const_vectors<float> in,
-                                                 size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vector_indexed_f32(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_vector_indexed(mw_vectors_f64 out, const motor<double> *palette,
-                                                 size_t palette_count, mw_indices indices, const_vectors<double> in,
-                                                 size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_vector_indexed_f64(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_vector_indexed_checked(mw_vectors_f32 out, const motor<float> *palette,
-                                                         size_t palette_count, mw_indices indices,
-                                                         const_vectors<float> in, size_t count,
-                                                         unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_vector_indexed_checked_f32(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_vector_indexed_checked(mw_vectors_f64 out, const motor<double> *palette,
-                                                         size_t palette_count, mw_indices indices,
-                                                         const_vectors<double> in, size_t count,
-                                                         unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_vector_indexed_checked_f64(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_line_one(mw_lines_f32 out, const motor<float> &motor, const_lines<float> in,
-                                           size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_line_one_f32(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_line_one(mw_lines_f64 out, const motor<double> &motor, const_lines<double> in,
-                                           size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_line_one_f64(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_line_each(mw_lines_f32 out, const_motors<float> motors, const_lines<float> in,
-                                            size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_line_each_f32(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_line_each(mw_lines_f64 out, const_motors<double> motors, const_lines<double> in,
-                                            size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_line_each_f64(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_line_grid(mw_lines_f32 out, size_t row_stride, const_motors<float> motors,
-                                            size_t motor_count, const_lines<float> in, size_t count,
-                                            unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_line_grid_f32(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_line_grid(mw_lines_f64 out, size_t row_stride, const_motors<double> motors,
-                                            size_t motor_count, const_lines<double> in, size_t count,
-                                            unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_line_grid_f64(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_line_indexed(mw_lines_f32 out, const motor<float> *palette, size_t palette_count,
-                                               mw_indices indices, const_lines<float> in, size_t count,
-                                               unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_line_indexed_f32(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_line_indexed(mw_lines_f64 out, const motor<double> *palette, size_t palette_count,
-                                               mw_indices indices, const_lines<double> in, size_t count,
-                                               unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_line_indexed_f64(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_line_indexed_checked(mw_lines_f32 out, const motor<float> *palette,
-                                                       size_t palette_count, mw_indices indices,
-                                                       const_lines<float> in, size_t count,
-                                                       unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_line_indexed_checked_f32(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_line_indexed_checked(mw_lines_f64 out, const motor<double> *palette,
-                                                       size_t palette_count, mw_indices indices,
-                                                       const_lines<double> in, size_t count,
-                                                       unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_line_indexed_checked_f64(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_motor_one(mw_motors_f32 out, const motor<float> &motor, const_motors<float> in,
-                                            size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_motor_one_f32(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_motor_one(mw_motors_f64 out, const motor<double> &motor, const_motors<double> in,
-                                            size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_motor_one_f64(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_motor_each(mw_motors_f32 out, const_motors<float> motors, const_motors<float> in,
-                                             size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_motor_each_f32(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_motor_each(mw_motors_f64 out, const_motors<double> motors, const_motors<double> in,
-                                             size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_motor_each_f64(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_motor_grid(mw_motors_f32 out, size_t row_stride, const_motors<float> motors,
-                                             size_t motor_count, const_motors<float> in, size_t count,
-                                             unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_motor_grid_f32(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_motor_grid(mw_motors_f64 out, size_t row_stride, const_motors<double> motors,
-                                             size_t motor_count, const_motors<double> in, size_t count,
-                                             unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_motor_grid_f64(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_motor_indexed(mw_motors_f32 out, const motor<float> *palette, size_t palette_count,
-                                                mw_indices indices, const_motors<float> in, size_t count,
-                                                unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_motor_indexed_f32(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_motor_indexed(mw_motors_f64 out, const motor<double> *palette, size_t palette_count,
-                                                mw_indices indices, const_motors<double> in, size_t count,
-                                                unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_motor_indexed_f64(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_motor_indexed_checked(mw_motors_f32 out, const motor<float> *palette,
-                                                        size_t palette_count, mw_indices indices,
-                                                        const_motors<float> in, size_t count,
-                                                        unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_motor_indexed_checked_f32(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_motor_indexed_checked(mw_motors_f64 out, const motor<double> *palette,
-                                                        size_t palette_count, mw_indices indices,
-                                                        const_motors<double> in, size_t count,
-                                                        unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_motor_indexed_checked_f64(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_bivector_one(mw_bivectors_f32 out, const motor<float> &motor,
-                                               const_bivectors<float> in, size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_bivector_one_f32(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_bivector_one(mw_bivectors_f64 out, const motor<double> &motor,
-                                               const_bivectors<double> in, size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_bivector_one_f64(out, &motor, in, count, flags);
-}
-[[nodiscard]] inline status apply_bivector_each(mw_bivectors_f32 out, const_motors<float> motors,
-                                                const_bivectors<float> in, size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_bivector_each_f32(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_bivector_each(mw_bivectors_f64 out, const_motors<double> motors,
-                                                const_bivectors<double> in, size_t count, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_bivector_each_f64(out, motors, in, count, flags);
-}
-[[nodiscard]] inline status apply_bivector_grid(mw_bivectors_f32 out, size_t row_stride, const_motors<float> motors,
-                                                size_t motor_count, const_bivectors<float> in, size_t count,
-                                                unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_bivector_grid_f32(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_bivector_grid(mw_bivectors_f64 out, size_t row_stride, const_motors<double> motors,
-                                                size_t motor_count, const_bivectors<double> in, size_t count,
-                                                unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_bivector_grid_f64(out, row_stride, motors, motor_count, in, count, flags);
-}
-[[nodiscard]] inline status apply_bivector_indexed(mw_bivectors_f32 out, const motor<float> *palette,
-                                                   size_t palette_count, mw_indices indices,
-                                                   const_bivectors<float> in, size_t count,
-                                                   unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_bivector_indexed_f32(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_bivector_indexed(mw_bivectors_f64 out, const motor<double> *palette,
-                                                   size_t palette_count, mw_indices indices,
-                                                   const_bivectors<double> in, size_t count,
-                                                   unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_bivector_indexed_f64(out, palette, palette_count, indices, in, count, flags);
-}
-[[nodiscard]] inline status apply_bivector_indexed_checked(mw_bivectors_f32 out, const motor<float> *palette,
-                                                           size_t palette_count, mw_indices indices,
-                                                           const_bivectors<float> in, size_t count,
-                                                           unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_bivector_indexed_checked_f32(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-[[nodiscard]] inline status apply_bivector_indexed_checked(mw_bivectors_f64 out, const motor<double> *palette,
-                                                           size_t palette_count, mw_indices indices,
-                                                           const_bivectors<double> in, size_t count,
-                                                           unsigned flags = MW_DEFAULT, size_t *first_bad = nullptr)
-{
-    return mw_apply_bivector_indexed_checked_f64(out, palette, palette_count, indices, in, count, flags, first_bad);
-}
-
-[[nodiscard]] inline status apply_point_one(mw_xyz_f32 out, const motor<double> &motor, const_xyz<float> points,
-                                            size_t count, const mw_shift &shift = {}, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_point_one_mixed(out, &motor, &shift, points, count, flags);
-}
-[[nodiscard]] inline status apply_point_each(mw_xyz_f32 out, const_motors<double> motors, const_xyz<float> points,
-                                             size_t count, const mw_shift &shift = {}, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_point_each_mixed(out, motors, &shift, points, count, flags);
-}
-[[nodiscard]] inline status apply_point_grid(mw_xyz_f32 out, size_t row_stride, const_motors<double> motors,
-                                             size_t motor_count, const_xyz<float> points, size_t count,
-                                             const mw_shift &shift = {}, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_point_grid_mixed(out, row_stride, motors, motor_count, &shift, points, count, flags);
-}
-[[nodiscard]] inline status apply_point_indexed(mw_xyz_f32 out, const motor<double> *palette, size_t palette_count,
-                                                mw_indices indices, const_xyz<float> points, size_t count,
-                                                const mw_shift &shift = {}, unsigned flags = MW_DEFAULT)
-{
-    return mw_apply_point_indexed_mixed(out, palette, palette_count, indices, &shift, points, count, flags);
-}
-[[nodiscard]] inline status apply_point_indexed_checked(mw_xyz_f32 out, const motor<double> *palette,
-                                                        size_t palette_count, mw_indices indices,
-                                                        const_xyz<float> points, size_t count,
-                                                        const mw_shift &shift = {}, unsigned flags = MW_DEFAULT,
-                                                        size_t *first_bad = nullptr)
-{
-    return mw_apply_point_indexed_checked_mixed(out, palette, palette_count, indices, &shift, points, count, flags,
-                                                first_bad);
-}
-
-[[nodiscard]] inline status check_indices(mw_indices indices, size_t count, size_t palette_count,
-                                          size_t *first_bad = nullptr)
-{
-    return mw_check_indices(indices, count, palette_count, first_bad);
+    return mw_blend_motor_each_views_f64(&out, controls, &weights, term_count, count);
 }
 
 [[nodiscard]] inline status convert_motor_to_pose_each(mw_xyzw_f32 quaternions, mw_xyz_f32 translations,
                                                        const_motors<float> motors, size_t count)
 {
-    return mw_convert_motor_to_pose_each_f32(quaternions, translations, motors, count);
+    return mw_convert_motor_to_pose_each_views_f32(&quaternions, &translations, &motors, count);
 }
 [[nodiscard]] inline status convert_motor_to_pose_each(mw_xyzw_f64 quaternions, mw_xyz_f64 translations,
                                                        const_motors<double> motors, size_t count)
 {
-    return mw_convert_motor_to_pose_each_f64(quaternions, translations, motors, count);
+    return mw_convert_motor_to_pose_each_views_f64(&quaternions, &translations, &motors, count);
 }
 [[nodiscard]] inline status convert_pose_to_motor_each(mw_motors_f32 out, const_xyzw<float> quaternions,
                                                        const_xyz<float> translations, size_t count)
 {
-    return mw_convert_pose_to_motor_each_f32(out, quaternions, translations, count);
+    return mw_convert_pose_to_motor_each_views_f32(&out, &quaternions, &translations, count);
 }
 [[nodiscard]] inline status convert_pose_to_motor_each(mw_motors_f64 out, const_xyzw<double> quaternions,
                                                        const_xyz<double> translations, size_t count)
 {
-    return mw_convert_pose_to_motor_each_f64(out, quaternions, translations, count);
+    return mw_convert_pose_to_motor_each_views_f64(&out, &quaternions, &translations, count);
 }
 
 [[nodiscard]] inline status convert_motor_to_dual_quaternion_each(mw_dual_quaternions_f32 out,
                                                                   const_motors<float> motors, size_t count)
 {
-    return mw_convert_motor_to_dual_quaternion_each_f32(out, motors, count);
+    return mw_convert_motor_to_dual_quaternion_each_views_f32(&out, &motors, count);
 }
 [[nodiscard]] inline status convert_motor_to_dual_quaternion_each(mw_dual_quaternions_f64 out,
                                                                   const_motors<double> motors, size_t count)
 {
-    return mw_convert_motor_to_dual_quaternion_each_f64(out, motors, count);
+    return mw_convert_motor_to_dual_quaternion_each_views_f64(&out, &motors, count);
 }
 [[nodiscard]] inline status convert_dual_quaternion_to_motor_each(mw_motors_f32 out, const_dual_quaternions<float> in,
                                                                   size_t count)
 {
-    return mw_convert_dual_quaternion_to_motor_each_f32(out, in, count);
+    return mw_convert_dual_quaternion_to_motor_each_views_f32(&out, &in, count);
 }
 [[nodiscard]] inline status convert_dual_quaternion_to_motor_each(mw_motors_f64 out,
                                                                   const_dual_quaternions<double> in, size_t count)
 {
-    return mw_convert_dual_quaternion_to_motor_each_f64(out, in, count);
+    return mw_convert_dual_quaternion_to_motor_each_views_f64(&out, &in, count);
 }
 
 [[nodiscard]] inline status convert_motor_to_matrix_each(mw_matrices_f32 out, const_motors<float> motors,
                                                          size_t count)
 {
-    return mw_convert_motor_to_matrix_each_f32(out, motors, count);
+    return mw_convert_motor_to_matrix_each_views_f32(&out, &motors, count);
 }
 [[nodiscard]] inline status convert_motor_to_matrix_each(mw_matrices_f64 out, const_motors<double> motors,
                                                          size_t count)
 {
-    return mw_convert_motor_to_matrix_each_f64(out, motors, count);
+    return mw_convert_motor_to_matrix_each_views_f64(&out, &motors, count);
 }
 [[nodiscard]] inline status convert_matrix_to_motor_each(mw_motors_f32 out, const_matrices<float> matrices,
                                                          size_t count, unsigned flags = MW_DEFAULT,
                                                          size_t *first_bad = nullptr)
 {
-    return mw_convert_matrix_to_motor_each_f32(out, matrices, count, flags, first_bad);
+    return mw_convert_matrix_to_motor_each_views_f32(&out, &matrices, count, flags, first_bad);
 }
 [[nodiscard]] inline status convert_matrix_to_motor_each(mw_motors_f64 out, const_matrices<double> matrices,
                                                          size_t count, unsigned flags = MW_DEFAULT,
                                                          size_t *first_bad = nullptr)
 {
-    return mw_convert_matrix_to_motor_each_f64(out, matrices, count, flags, first_bad);
+    return mw_convert_matrix_to_motor_each_views_f64(&out, &matrices, count, flags, first_bad);
 }
 
 [[nodiscard]] inline status check_matrices(const_matrices<float> matrices, size_t count, float tolerance,
                                            size_t *first_bad = nullptr, float *deviation = nullptr)
 {
-    return mw_check_matrices_f32(matrices, count, tolerance, first_bad, deviation);
+    return mw_check_matrices_views_f32(&matrices, count, tolerance, first_bad, deviation);
 }
 [[nodiscard]] inline status check_matrices(const_matrices<double> matrices, size_t count, double tolerance,
                                            size_t *first_bad = nullptr, double *deviation = nullptr)
 {
-    return mw_check_matrices_f64(matrices, count, tolerance, first_bad, deviation);
+    return mw_check_matrices_views_f64(&matrices, count, tolerance, first_bad, deviation);
 }
 
 [[nodiscard]] inline status convert_motor_to_axis_angle_each(mw_xyzw_f32 rotations, mw_xyz_f32 translations,
                                                              const_motors<float> motors, size_t count)
 {
-    return mw_convert_motor_to_axis_angle_each_f32(rotations, translations, motors, count);
+    return mw_convert_motor_to_axis_angle_each_views_f32(&rotations, &translations, &motors, count);
 }
 [[nodiscard]] inline status convert_motor_to_axis_angle_each(mw_xyzw_f64 rotations, mw_xyz_f64 translations,
                                                              const_motors<double> motors, size_t count)
 {
-    return mw_convert_motor_to_axis_angle_each_f64(rotations, translations, motors, count);
+    return mw_convert_motor_to_axis_angle_each_views_f64(&rotations, &translations, &motors, count);
 }
 [[nodiscard]] inline status convert_axis_angle_to_motor_each(mw_motors_f32 out, const_xyzw<float> rotations,
                                                              const_xyz<float> translations, size_t count)
 {
-    return mw_convert_axis_angle_to_motor_each_f32(out, rotations, translations, count);
+    return mw_convert_axis_angle_to_motor_each_views_f32(&out, &rotations, &translations, count);
 }
 [[nodiscard]] inline status convert_axis_angle_to_motor_each(mw_motors_f64 out, const_xyzw<double> rotations,
                                                              const_xyz<double> translations, size_t count)
 {
-    return mw_convert_axis_angle_to_motor_each_f64(out, rotations, translations, count);
+    return mw_convert_axis_angle_to_motor_each_views_f64(&out, &rotations, &translations, count);
 }
 
 [[nodiscard]] inline status convert_motor_to_euler_each(mw_xyz_f32 angles, mw_xyz_f32 translations,
                                                         const_motors<float> motors, size_t count,
                                                         mw_euler_order order)
 {
-    return mw_convert_motor_to_euler_each_f32(angles, translations, motors, count, order);
+    return mw_convert_motor_to_euler_each_views_f32(&angles, &translations, &motors, count, order);
 }
 [[nodiscard]] inline status convert_motor_to_euler_each(mw_xyz_f64 angles, mw_xyz_f64 translations,
                                                         const_motors<double> motors, size_t count,
                                                         mw_euler_order order)
 {
-    return mw_convert_motor_to_euler_each_f64(angles, translations, motors, count, order);
+    return mw_convert_motor_to_euler_each_views_f64(&angles, &translations, &motors, count, order);
 }
 [[nodiscard]] inline status convert_euler_to_motor_each(mw_motors_f32 out, const_xyz<float> angles,
                                                         const_xyz<float> translations, size_t count,
                                                         mw_euler_order order)
 {
-    return mw_convert_euler_to_motor_each_f32(out, angles, translations, count, order);
+    return mw_convert_euler_to_motor_each_views_f32(&out, &angles, &translations, count, order);
 }
 [[nodiscard]] inline status convert_euler_to_motor_each(mw_motors_f64 out, const_xyz<double> angles,
                                                         const_xyz<double> translations, size_t count,
                                                         mw_euler_order order)
 {
-    return mw_convert_euler_to_motor_each_f64(out, angles, translations, count, order);
+    return mw_convert_euler_to_motor_each_views_f64(&out, &angles, &translations, count, order);
 }
 
 [[nodiscard]] inline status convert_translation_to_motor_each(mw_motors_f32 out, const_xyz<float> translations,
                                                               size_t count)
 {
-    return mw_convert_translation_to_motor_each_f32(out, translations, count);
+    return mw_convert_translation_to_motor_each_views_f32(&out, &translations, count);
 }
 [[nodiscard]] inline status convert_translation_to_motor_each(mw_motors_f64 out, const_xyz<double> translations,
                                                               size_t count)
 {
-    return mw_convert_translation_to_motor_each_f64(out, translations, count);
+    return mw_convert_translation_to_motor_each_views_f64(&out, &translations, count);
 }
 [[nodiscard]] inline status convert_motor_to_translation_each(mw_xyz_f32 translations, const_motors<float> motors,
                                                               size_t count)
 {
-    return mw_convert_motor_to_translation_each_f32(translations, motors, count);
+    return mw_convert_motor_to_translation_each_views_f32(&translations, &motors, count);
 }
 [[nodiscard]] inline status convert_motor_to_translation_each(mw_xyz_f64 translations, const_motors<double> motors,
                                                               size_t count)
 {
-    return mw_convert_motor_to_translation_each_f64(translations, motors, count);
+    return mw_convert_motor_to_translation_each_views_f64(&translations, &motors, count);
 }
 
 [[nodiscard]] inline status convert_motor_to_screw_each(mw_screws_f32 out, const_motors<float> motors, size_t count)
 {
-    return mw_convert_motor_to_screw_each_f32(out, motors, count);
+    return mw_convert_motor_to_screw_each_views_f32(&out, &motors, count);
 }
 [[nodiscard]] inline status convert_motor_to_screw_each(mw_screws_f64 out, const_motors<double> motors, size_t count)
 {
-    return mw_convert_motor_to_screw_each_f64(out, motors, count);
+    return mw_convert_motor_to_screw_each_views_f64(&out, &motors, count);
 }
 [[nodiscard]] inline status convert_screw_to_motor_each(mw_motors_f32 out, const_screws<float> screws, size_t count)
 {
-    return mw_convert_screw_to_motor_each_f32(out, screws, count);
+    return mw_convert_screw_to_motor_each_views_f32(&out, &screws, count);
 }
 [[nodiscard]] inline status convert_screw_to_motor_each(mw_motors_f64 out, const_screws<double> screws, size_t count)
 {
-    return mw_convert_screw_to_motor_each_f64(out, screws, count);
+    return mw_convert_screw_to_motor_each_views_f64(&out, &screws, count);
 }
 
 [[nodiscard]] inline status convert_motor_to_rotor_each(mw_motors_f32 rotors, const_motors<float> motors,
                                                         size_t count, float lambda = 1)
 {
-    return mw_convert_motor_to_rotor_each_f32(rotors, motors, count, lambda);
+    return mw_convert_motor_to_rotor_each_views_f32(&rotors, &motors, count, lambda);
 }
 [[nodiscard]] inline status convert_motor_to_rotor_each(mw_motors_f64 rotors, const_motors<double> motors,
                                                         size_t count, double lambda = 1)
 {
-    return mw_convert_motor_to_rotor_each_f64(rotors, motors, count, lambda);
+    return mw_convert_motor_to_rotor_each_views_f64(&rotors, &motors, count, lambda);
 }
 [[nodiscard]] inline status convert_rotor_to_motor_each(mw_motors_f32 out, const_motors<float> rotors, size_t count,
                                                         float lambda = 1)
 {
-    return mw_convert_rotor_to_motor_each_f32(out, rotors, count, lambda);
+    return mw_convert_rotor_to_motor_each_views_f32(&out, &rotors, count, lambda);
 }
 [[nodiscard]] inline status convert_rotor_to_motor_each(mw_motors_f64 out, const_motors<double> rotors, size_t count,
                                                         double lambda = 1)
 {
-    return mw_convert_rotor_to_motor_each_f64(out, rotors, count, lambda);
+    return mw_convert_rotor_to_motor_each_views_f64(&out, &rotors, count, lambda);
 }
 
 [[nodiscard]] inline status motion_size(size_t &size, const motion<float> &motion, size_t *where = nullptr)
@@ -1165,52 +1180,54 @@ inline mw_indices indices(const uint32_t *first, size_t stride = 4) { return mw_
                                               const float *parameters, size_t count, unsigned flags = MW_DEFAULT,
                                               size_t index = 0)
 {
-    return mw_sample_motion_one_f32(out, motion, index, parameters, count, flags);
+    return mw_sample_motion_one_views_f32(&out, motion, index, parameters, count, flags);
 }
 [[nodiscard]] inline status sample_motion_one(mw_motors_f64 out, const compiled_motion<double> *motion,
                                               const double *parameters, size_t count, unsigned flags = MW_DEFAULT,
                                               size_t index = 0)
 {
-    return mw_sample_motion_one_f64(out, motion, index, parameters, count, flags);
+    return mw_sample_motion_one_views_f64(&out, motion, index, parameters, count, flags);
 }
 [[nodiscard]] inline status sample_motion_each(mw_motors_f32 out, const compiled_motion<float> *motion,
                                                const float *parameters, size_t parameter_stride, size_t count,
                                                unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_sample_motion_each_f32(out, motion, index, parameters, parameter_stride, count, flags);
+    return mw_sample_motion_each_views_f32(&out, motion, index, parameters, parameter_stride, count, flags);
 }
 [[nodiscard]] inline status sample_motion_each(mw_motors_f64 out, const compiled_motion<double> *motion,
                                                const double *parameters, size_t parameter_stride, size_t count,
                                                unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_sample_motion_each_f64(out, motion, index, parameters, parameter_stride, count, flags);
+    return mw_sample_motion_each_views_f64(&out, motion, index, parameters, parameter_stride, count, flags);
 }
 
 [[nodiscard]] inline status sample_motion_twist_one(mw_motors_f32 out, mw_bivectors_f32 twists,
                                                     const compiled_motion<float> *motion, const float *parameters,
                                                     size_t count, unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_sample_motion_twist_one_f32(out, twists, motion, index, parameters, count, flags);
+    return mw_sample_motion_twist_one_views_f32(&out, &twists, motion, index, parameters, count, flags);
 }
 [[nodiscard]] inline status sample_motion_twist_one(mw_motors_f64 out, mw_bivectors_f64 twists,
                                                     const compiled_motion<double> *motion, const double *parameters,
                                                     size_t count, unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_sample_motion_twist_one_f64(out, twists, motion, index, parameters, count, flags);
+    return mw_sample_motion_twist_one_views_f64(&out, &twists, motion, index, parameters, count, flags);
 }
 [[nodiscard]] inline status sample_motion_twist_each(mw_motors_f32 out, mw_bivectors_f32 twists,
                                                      const compiled_motion<float> *motion, const float *parameters,
                                                      size_t parameter_stride, size_t count,
                                                      unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_sample_motion_twist_each_f32(out, twists, motion, index, parameters, parameter_stride, count, flags);
+    return mw_sample_motion_twist_each_views_f32(&out, &twists, motion, index, parameters, parameter_stride, count,
+                                                 flags);
 }
 [[nodiscard]] inline status sample_motion_twist_each(mw_motors_f64 out, mw_bivectors_f64 twists,
                                                      const compiled_motion<double> *motion, const double *parameters,
                                                      size_t parameter_stride, size_t count,
                                                      unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_sample_motion_twist_each_f64(out, twists, motion, index, parameters, parameter_stride, count, flags);
+    return mw_sample_motion_twist_each_views_f64(&out, &twists, motion, index, parameters, parameter_stride, count,
+                                                 flags);
 }
 
 [[nodiscard]] inline status apply_point_motion(mw_xyz_f32 out, size_t row_stride,
@@ -1218,112 +1235,128 @@ inline mw_indices indices(const uint32_t *first, size_t stride = 4) { return mw_
                                                size_t parameter_count, const_xyz<float> in, size_t count,
                                                unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_point_motion_f32(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_point_motion_views_f32(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                           flags);
 }
 [[nodiscard]] inline status apply_point_motion(mw_xyz_f64 out, size_t row_stride,
                                                const compiled_motion<double> *motion, const double *parameters,
                                                size_t parameter_count, const_xyz<double> in, size_t count,
                                                unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_point_motion_f64(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_point_motion_views_f64(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                           flags);
 }
 [[nodiscard]] inline status apply_direction_motion(mw_xyz_f32 out, size_t row_stride,
                                                    const compiled_motion<float> *motion, const float *parameters,
                                                    size_t parameter_count, const_xyz<float> in, size_t count,
                                                    unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_direction_motion_f32(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_direction_motion_views_f32(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                               flags);
 }
 [[nodiscard]] inline status apply_direction_motion(mw_xyz_f64 out, size_t row_stride,
                                                    const compiled_motion<double> *motion, const double *parameters,
                                                    size_t parameter_count, const_xyz<double> in, size_t count,
                                                    unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_direction_motion_f64(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_direction_motion_views_f64(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                               flags);
 }
 [[nodiscard]] inline status apply_tangent_motion(mw_xyzw_f32 out, size_t row_stride,
                                                  const compiled_motion<float> *motion, const float *parameters,
                                                  size_t parameter_count, const_xyzw<float> in, size_t count,
                                                  unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_tangent_motion_f32(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_tangent_motion_views_f32(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                             flags);
 }
 [[nodiscard]] inline status apply_tangent_motion(mw_xyzw_f64 out, size_t row_stride,
                                                  const compiled_motion<double> *motion, const double *parameters,
                                                  size_t parameter_count, const_xyzw<double> in, size_t count,
                                                  unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_tangent_motion_f64(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_tangent_motion_views_f64(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                             flags);
 }
 [[nodiscard]] inline status apply_vertex_motion(mw_vertices_f32 out, size_t row_stride,
                                                 const compiled_motion<float> *motion, const float *parameters,
                                                 size_t parameter_count, const_vertices<float> in, size_t count,
                                                 unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_vertex_motion_f32(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_vertex_motion_views_f32(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                            flags);
 }
 [[nodiscard]] inline status apply_vertex_motion(mw_vertices_f64 out, size_t row_stride,
                                                 const compiled_motion<double> *motion, const double *parameters,
                                                 size_t parameter_count, const_vertices<double> in, size_t count,
                                                 unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_vertex_motion_f64(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_vertex_motion_views_f64(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                            flags);
 }
 [[nodiscard]] inline status apply_vector_motion(mw_vectors_f32 out, size_t row_stride,
                                                 const compiled_motion<float> *motion, const float *parameters,
                                                 size_t parameter_count, const_vectors<float> in, size_t count,
                                                 unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_vector_motion_f32(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_vector_motion_views_f32(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                            flags);
 }
 [[nodiscard]] inline status apply_vector_motion(mw_vectors_f64 out, size_t row_stride,
                                                 const compiled_motion<double> *motion, const double *parameters,
                                                 size_t parameter_count, const_vectors<double> in, size_t count,
                                                 unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_vector_motion_f64(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_vector_motion_views_f64(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                            flags);
 }
 [[nodiscard]] inline status apply_line_motion(mw_lines_f32 out, size_t row_stride,
                                               const compiled_motion<float> *motion, const float *parameters,
                                               size_t parameter_count, const_lines<float> in, size_t count,
                                               unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_line_motion_f32(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_line_motion_views_f32(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                          flags);
 }
 [[nodiscard]] inline status apply_line_motion(mw_lines_f64 out, size_t row_stride,
                                               const compiled_motion<double> *motion, const double *parameters,
                                               size_t parameter_count, const_lines<double> in, size_t count,
                                               unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_line_motion_f64(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_line_motion_views_f64(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                          flags);
 }
 [[nodiscard]] inline status apply_motor_motion(mw_motors_f32 out, size_t row_stride,
                                                const compiled_motion<float> *motion, const float *parameters,
                                                size_t parameter_count, const_motors<float> in, size_t count,
                                                unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_motor_motion_f32(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_motor_motion_views_f32(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                           flags);
 }
 [[nodiscard]] inline status apply_motor_motion(mw_motors_f64 out, size_t row_stride,
                                                const compiled_motion<double> *motion, const double *parameters,
                                                size_t parameter_count, const_motors<double> in, size_t count,
                                                unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_motor_motion_f64(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_motor_motion_views_f64(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                           flags);
 }
 [[nodiscard]] inline status apply_bivector_motion(mw_bivectors_f32 out, size_t row_stride,
                                                   const compiled_motion<float> *motion, const float *parameters,
                                                   size_t parameter_count, const_bivectors<float> in, size_t count,
                                                   unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_bivector_motion_f32(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_bivector_motion_views_f32(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                              flags);
 }
 [[nodiscard]] inline status apply_bivector_motion(mw_bivectors_f64 out, size_t row_stride,
                                                   const compiled_motion<double> *motion, const double *parameters,
                                                   size_t parameter_count, const_bivectors<double> in, size_t count,
                                                   unsigned flags = MW_DEFAULT, size_t index = 0)
 {
-    return mw_apply_bivector_motion_f64(out, row_stride, motion, index, parameters, parameter_count, in, count, flags);
+    return mw_apply_bivector_motion_views_f64(&out, row_stride, motion, index, parameters, parameter_count, &in, count,
+                                              flags);
 }
 
 [[nodiscard]] inline status twist_velocity(float (&velocity)[3], const float (&twist)[6], const float (&place)[3])
@@ -1364,60 +1397,62 @@ inline mw_indices indices(const uint32_t *first, size_t stride = 4) { return mw_
                                             size_t count, size_t sample_count, size_t first_index = 0,
                                             size_t second_index = 0)
 {
-    return mw_compare_motions_f32(&largest, first, first_index, second, second_index, points, count, sample_count);
+    return mw_compare_motions_views_f32(&largest, first, first_index, second, second_index, &points, count, sample_count);
 }
 [[nodiscard]] inline status compare_motions(motion_distance<double> &largest, const compiled_motion<double> *first,
                                             const compiled_motion<double> *second, const_xyz<double> points,
                                             size_t count, size_t sample_count, size_t first_index = 0,
                                             size_t second_index = 0)
 {
-    return mw_compare_motions_f64(&largest, first, first_index, second, second_index, points, count, sample_count);
+    return mw_compare_motions_views_f64(&largest, first, first_index, second, second_index, &points, count, sample_count);
 }
 
-[[nodiscard]] inline status interpolate_keys(motion<float> &out, motion_arrays<float> arrays, mw_motion_kind kind,
-                                             unsigned degree, const motor<float> *keys, const float *times,
-                                             size_t count, void *memory, size_t &size, size_t *where = nullptr)
+[[nodiscard]] inline status interpolate_keys(motion<float> &out, const motion_arrays<float> &arrays,
+                                             mw_motion_kind kind, unsigned degree, const motor<float> *keys,
+                                             const float *times, size_t count, void *memory, size_t &size,
+                                             size_t *where = nullptr)
 {
-    return mw_interpolate_keys_f32(&out, arrays, kind, degree, keys, times, count, memory, &size, where);
+    return mw_interpolate_keys_f32(&out, &arrays, kind, degree, keys, times, count, memory, &size, where);
 }
-[[nodiscard]] inline status interpolate_keys(motion<double> &out, motion_arrays<double> arrays, mw_motion_kind kind,
-                                             unsigned degree, const motor<double> *keys, const double *times,
-                                             size_t count, void *memory, size_t &size, size_t *where = nullptr)
+[[nodiscard]] inline status interpolate_keys(motion<double> &out, const motion_arrays<double> &arrays,
+                                             mw_motion_kind kind, unsigned degree, const motor<double> *keys,
+                                             const double *times, size_t count, void *memory, size_t &size,
+                                             size_t *where = nullptr)
 {
-    return mw_interpolate_keys_f64(&out, arrays, kind, degree, keys, times, count, memory, &size, where);
+    return mw_interpolate_keys_f64(&out, &arrays, kind, degree, keys, times, count, memory, &size, where);
 }
 
-[[nodiscard]] inline status insert_knot(motion<float> &out, motion_arrays<float> arrays, const motion<float> &motion,
-                                        float knot, unsigned times = 1)
+[[nodiscard]] inline status insert_knot(motion<float> &out, const motion_arrays<float> &arrays,
+                                        const motion<float> &motion, float knot, unsigned times = 1)
 {
-    return mw_insert_knot_f32(&out, arrays, &motion, knot, times);
+    return mw_insert_knot_f32(&out, &arrays, &motion, knot, times);
 }
-[[nodiscard]] inline status insert_knot(motion<double> &out, motion_arrays<double> arrays,
+[[nodiscard]] inline status insert_knot(motion<double> &out, const motion_arrays<double> &arrays,
                                         const motion<double> &motion, double knot, unsigned times = 1)
 {
-    return mw_insert_knot_f64(&out, arrays, &motion, knot, times);
+    return mw_insert_knot_f64(&out, &arrays, &motion, knot, times);
 }
-[[nodiscard]] inline status elevate_degree(motion<float> &out, motion_arrays<float> arrays,
+[[nodiscard]] inline status elevate_degree(motion<float> &out, const motion_arrays<float> &arrays,
                                            const motion<float> &motion)
 {
-    return mw_elevate_degree_f32(&out, arrays, &motion);
+    return mw_elevate_degree_f32(&out, &arrays, &motion);
 }
-[[nodiscard]] inline status elevate_degree(motion<double> &out, motion_arrays<double> arrays,
+[[nodiscard]] inline status elevate_degree(motion<double> &out, const motion_arrays<double> &arrays,
                                            const motion<double> &motion)
 {
-    return mw_elevate_degree_f64(&out, arrays, &motion);
+    return mw_elevate_degree_f64(&out, &arrays, &motion);
 }
-[[nodiscard]] inline status split_motion(motion<float> &before, motion_arrays<float> before_arrays,
-                                         motion<float> &after, motion_arrays<float> after_arrays,
+[[nodiscard]] inline status split_motion(motion<float> &before, const motion_arrays<float> &before_arrays,
+                                         motion<float> &after, const motion_arrays<float> &after_arrays,
                                          const motion<float> &motion, float at)
 {
-    return mw_split_motion_f32(&before, before_arrays, &after, after_arrays, &motion, at);
+    return mw_split_motion_f32(&before, &before_arrays, &after, &after_arrays, &motion, at);
 }
-[[nodiscard]] inline status split_motion(motion<double> &before, motion_arrays<double> before_arrays,
-                                         motion<double> &after, motion_arrays<double> after_arrays,
+[[nodiscard]] inline status split_motion(motion<double> &before, const motion_arrays<double> &before_arrays,
+                                         motion<double> &after, const motion_arrays<double> &after_arrays,
                                          const motion<double> &motion, double at)
 {
-    return mw_split_motion_f64(&before, before_arrays, &after, after_arrays, &motion, at);
+    return mw_split_motion_f64(&before, &before_arrays, &after, &after_arrays, &motion, at);
 }
 
 // Representations of a single motor: arrays in the order of the views.

@@ -1,9 +1,11 @@
-// What a status means, and which instruction sets there are.
+// The version, what a status means, and which instruction sets there are.
 #include "dispatch.h"
 #include "motorway.h"
 
 namespace motorway {
 namespace {
+
+unsigned version() { return MW_VERSION; }
 
 const char *status_text(mw_status status)
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernel/call.h"
-#include "motorway.h"
+#include "motorway_views.h"
 
 #include <cstdint>
 #include <type_traits>
@@ -68,10 +68,23 @@ private:
 
 // Of the public ones.
 #include "../generated/views.inc"
+template <class View> constexpr View no_view{};
+template <class View> auto view_of(const View *v) -> decltype(view_of(*v)) { return view_of(v ? *v : no_view<View>); }
+
+// Components side by side.
+template <int N, class T> view<T, N> adjacent(T *first, std::size_t stride)
+{
+    view<T, N> result{{}, stride};
+    for (int c = 0; c < N; ++c)
+        result.component[c] = first ? first + c : nullptr;
+    return result;
+}
 
 // Motors as the eight numbers that each is.
 inline const float *numbers_of(const mw_motor_f32 *motors) { return reinterpret_cast<const float *>(motors); }
 inline const double *numbers_of(const mw_motor_f64 *motors) { return reinterpret_cast<const double *>(motors); }
+inline float *numbers_of(mw_motor_f32 *motors) { return reinterpret_cast<float *>(motors); }
+inline double *numbers_of(mw_motor_f64 *motors) { return reinterpret_cast<double *>(motors); }
 static_assert(sizeof(mw_motor_f32) == 8 * sizeof(float) && sizeof(mw_motor_f64) == 8 * sizeof(double));
 
 // ------------------------------------------------------------------------------------------------ shared bytes

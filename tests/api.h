@@ -6,12 +6,21 @@
 #include <cstddef>
 #include <vector>
 
-#include "motorway.h"
+#include "motorway_views.h"
 
 namespace motorway::testing {
 
 // api<T>, from the table of public functions.
 #include "../generated/api.inc"
+
+using scalar_f32 = float;
+using scalar_f64 = double;
+
+inline mw_status check_indices(const mw_indices &indices, std::size_t count, std::size_t palette_count,
+                               std::size_t *first_bad)
+{
+    return mw_check_indices_views(&indices, count, palette_count, first_bad);
+}
 
 // Component k of element i is `stride` * i bytes behind component[k], and need not be aligned.
 template <class T>

@@ -94,9 +94,6 @@ V api_view(const View<T> &view)
     }
 }
 
-using scalar_f32 = float;
-using scalar_f64 = double;
-
 template <class T>
 std::vector<ApplyFunctions<T>> apply_functions();
 
@@ -110,25 +107,25 @@ std::vector<ApplyFunctions<T>> apply_functions();
 #define MOTORWAY_TEST_OPERAND(operand, views, P)                                                                     \
     {#operand, #P, Moved::operand, Operand::views, sizeof(scalar_##P),                                               \
      [](const ApplyCall<scalar_##P> &c) {                                                                            \
-         return mw_apply_##operand##_one_##P(MOTORWAY_TEST_OUT(views, P), MOTORWAY_TEST_MOTOR(P),                    \
+         return api<scalar_##P>::apply_##operand##_one(MOTORWAY_TEST_OUT(views, P), MOTORWAY_TEST_MOTOR(P),          \
                                              MOTORWAY_TEST_IN(views, P), c.count, c.flags);                          \
      },                                                                                                              \
      [](const ApplyCall<scalar_##P> &c) {                                                                            \
-         return mw_apply_##operand##_each_##P(MOTORWAY_TEST_OUT(views, P), MOTORWAY_TEST_MOTORS_FROM(P),             \
+         return api<scalar_##P>::apply_##operand##_each(MOTORWAY_TEST_OUT(views, P), MOTORWAY_TEST_MOTORS_FROM(P),   \
                                               MOTORWAY_TEST_IN(views, P), c.count, c.flags);                         \
      },                                                                                                              \
      [](const ApplyCall<scalar_##P> &c) {                                                                            \
-         return mw_apply_##operand##_indexed_##P(MOTORWAY_TEST_OUT(views, P), MOTORWAY_TEST_MOTOR(P), c.motor_count, \
+         return api<scalar_##P>::apply_##operand##_indexed(MOTORWAY_TEST_OUT(views, P), MOTORWAY_TEST_MOTOR(P), c.motor_count, \
                                                  MOTORWAY_TEST_INDICES, MOTORWAY_TEST_IN(views, P), c.count,         \
                                                  c.flags);                                                           \
      },                                                                                                              \
      [](const ApplyCall<scalar_##P> &c) {                                                                            \
-         return mw_apply_##operand##_indexed_checked_##P(                                                            \
+         return api<scalar_##P>::apply_##operand##_indexed_checked(                                                  \
              MOTORWAY_TEST_OUT(views, P), MOTORWAY_TEST_MOTOR(P), c.motor_count, MOTORWAY_TEST_INDICES,              \
              MOTORWAY_TEST_IN(views, P), c.count, c.flags, c.first_bad);                                             \
      },                                                                                                              \
      [](const ApplyCall<scalar_##P> &c) {                                                                            \
-         return mw_apply_##operand##_grid_##P(MOTORWAY_TEST_OUT(views, P), c.row_stride, MOTORWAY_TEST_MOTORS(P),    \
+         return api<scalar_##P>::apply_##operand##_grid(MOTORWAY_TEST_OUT(views, P), c.row_stride, MOTORWAY_TEST_MOTORS(P), \
                                               c.motor_count, MOTORWAY_TEST_IN(views, P), c.count, c.flags);          \
      }},
 
@@ -147,25 +144,25 @@ inline std::vector<ApplyFunctions<float>> apply_functions()
         MW_OPERANDS(MOTORWAY_TEST_OPERAND, f32)
         {"point", "mixed", Moved::point, Operand::xyz, sizeof(double),
          [](const Call &c) {
-             return mw_apply_point_one_mixed(MOTORWAY_TEST_OUT(xyz, f32), MOTORWAY_TEST_MOTOR(f64), c.shift,
+             return api<mixed>::apply_point_one(MOTORWAY_TEST_OUT(xyz, f32), MOTORWAY_TEST_MOTOR(f64), c.shift,
                                              MOTORWAY_TEST_IN(xyz, f32), c.count, c.flags);
          },
          [](const Call &c) {
-             return mw_apply_point_each_mixed(MOTORWAY_TEST_OUT(xyz, f32), MOTORWAY_TEST_MOTORS_FROM(f64), c.shift,
+             return api<mixed>::apply_point_each(MOTORWAY_TEST_OUT(xyz, f32), MOTORWAY_TEST_MOTORS_FROM(f64), c.shift,
                                               MOTORWAY_TEST_IN(xyz, f32), c.count, c.flags);
          },
          [](const Call &c) {
-             return mw_apply_point_indexed_mixed(MOTORWAY_TEST_OUT(xyz, f32), MOTORWAY_TEST_MOTOR(f64), c.motor_count,
+             return api<mixed>::apply_point_indexed(MOTORWAY_TEST_OUT(xyz, f32), MOTORWAY_TEST_MOTOR(f64), c.motor_count,
                                                  MOTORWAY_TEST_INDICES, c.shift, MOTORWAY_TEST_IN(xyz, f32), c.count,
                                                  c.flags);
          },
          [](const Call &c) {
-             return mw_apply_point_indexed_checked_mixed(MOTORWAY_TEST_OUT(xyz, f32), MOTORWAY_TEST_MOTOR(f64),
+             return api<mixed>::apply_point_indexed_checked(MOTORWAY_TEST_OUT(xyz, f32), MOTORWAY_TEST_MOTOR(f64),
                                                          c.motor_count, MOTORWAY_TEST_INDICES, c.shift,
                                                          MOTORWAY_TEST_IN(xyz, f32), c.count, c.flags, c.first_bad);
          },
          [](const Call &c) {
-             return mw_apply_point_grid_mixed(MOTORWAY_TEST_OUT(xyz, f32), c.row_stride, MOTORWAY_TEST_MOTORS(f64),
+             return api<mixed>::apply_point_grid(MOTORWAY_TEST_OUT(xyz, f32), c.row_stride, MOTORWAY_TEST_MOTORS(f64),
                                               c.motor_count, c.shift, MOTORWAY_TEST_IN(xyz, f32), c.count, c.flags);
          }},
     };

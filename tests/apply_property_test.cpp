@@ -247,20 +247,20 @@ private:
             const mw_vertices_f32 out = {out_p.out, out_n.out};
             const mw_const_vertices_f32 in = {in_p.in, in_n.in};
             if (pairing == Pairing::one)
-                status = mw_apply_vertex_one_f32(out, motor, in, count, flags);
+                status = api<float>::apply_vertex_one(out, motor, in, count, flags);
             else if (pairing == Pairing::each)
-                status = mw_apply_vertex_each_f32(out, motors, in, count, flags);
+                status = api<float>::apply_vertex_each(out, motors, in, count, flags);
             else
-                status = mw_apply_vertex_indexed_f32(out, motor, count, indices, in, count, flags);
+                status = api<float>::apply_vertex_indexed(out, motor, count, indices, in, count, flags);
         } else {
             const mw_vertices_f64 out = {out_p.out, out_n.out};
             const mw_const_vertices_f64 in = {in_p.in, in_n.in};
             if (pairing == Pairing::one)
-                status = mw_apply_vertex_one_f64(out, motor, in, count, flags);
+                status = api<double>::apply_vertex_one(out, motor, in, count, flags);
             else if (pairing == Pairing::each)
-                status = mw_apply_vertex_each_f64(out, motors, in, count, flags);
+                status = api<double>::apply_vertex_each(out, motors, in, count, flags);
             else
-                status = mw_apply_vertex_indexed_f64(out, motor, count, indices, in, count, flags);
+                status = api<double>::apply_vertex_indexed(out, motor, count, indices, in, count, flags);
         }
         ASSERT_EQ(status, MW_OK);
     }

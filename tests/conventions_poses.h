@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motorway.h"
+#include "motorway_views.h"
 #include "random.h"
 
 namespace motorway::testing::conventions {
@@ -128,10 +128,9 @@ inline Pose draw_pose(Random &random)
 
 inline Motor motor_of(const Pose &pose)
 {
-    const auto quaternion = mw_const_xyzw_f64_aos(&pose.rotation.x, sizeof pose.rotation);
-    const auto translation = mw_const_xyz_f64_aos(pose.translation.data(), sizeof pose.translation);
     Motor motor{};
-    EXPECT_EQ(mw_convert_pose_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor), quaternion, translation, 1),
+    EXPECT_EQ(mw_convert_pose_to_motor_each_f64(&motor, sizeof motor, &pose.rotation.x, sizeof pose.rotation,
+                                                pose.translation.data(), sizeof pose.translation, 1),
               MW_OK);
     return motor;
 }
@@ -139,10 +138,8 @@ inline Motor motor_of(const Pose &pose)
 inline Pose pose_of(const Motor &motor)
 {
     Pose pose{};
-    const auto quaternion = mw_xyzw_f64_aos(&pose.rotation.x, sizeof pose.rotation);
-    const auto translation = mw_xyz_f64_aos(pose.translation.data(), sizeof pose.translation);
-    EXPECT_EQ(mw_convert_motor_to_pose_each_f64(quaternion, translation,
-                                                mw_const_motors_f64_aos(&motor, sizeof motor), 1),
+    EXPECT_EQ(mw_convert_motor_to_pose_each_f64(&pose.rotation.x, sizeof pose.rotation, pose.translation.data(),
+                                                sizeof pose.translation, &motor, sizeof motor, 1),
               MW_OK);
     return pose;
 }
@@ -151,8 +148,8 @@ inline Pose pose_of(const Motor &motor)
 inline Motor motor_of(const double *matrix, mw_matrix_layout layout)
 {
     Motor motor{};
-    EXPECT_EQ(mw_convert_matrix_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor),
-                                                  {matrix, 16 * sizeof(double), layout}, 1, MW_DEFAULT, nullptr),
+    EXPECT_EQ(mw_convert_matrix_to_motor_each_f64(&motor, sizeof motor,
+                                                  matrix, 16 * sizeof(double), layout, 1, MW_DEFAULT, nullptr),
               MW_OK);
     return motor;
 }
@@ -160,8 +157,8 @@ inline Motor motor_of(const double *matrix, mw_matrix_layout layout)
 inline std::array<double, 16> matrix_of(const Motor &motor, mw_matrix_layout layout)
 {
     std::array<double, 16> matrix{};
-    EXPECT_EQ(mw_convert_motor_to_matrix_each_f64({matrix.data(), sizeof matrix, layout},
-                                                  mw_const_motors_f64_aos(&motor, sizeof motor), 1),
+    EXPECT_EQ(mw_convert_motor_to_matrix_each_f64(matrix.data(), sizeof matrix, layout,
+                                                  &motor, sizeof motor, 1),
               MW_OK);
     return matrix;
 }
@@ -170,9 +167,8 @@ inline Motor motor_of_euler(const Vector &angles, mw_euler_order order)
 {
     const Vector none{};
     Motor motor{};
-    EXPECT_EQ(mw_convert_euler_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor),
-                                                 mw_const_xyz_f64_aos(angles.data(), sizeof angles),
-                                                 mw_const_xyz_f64_aos(none.data(), sizeof none), 1, order),
+    EXPECT_EQ(mw_convert_euler_to_motor_each_f64(&motor, sizeof motor,
+                                                 angles.data(), sizeof angles, none.data(), sizeof none, 1, order),
               MW_OK);
     return motor;
 }
@@ -180,18 +176,14 @@ inline Motor motor_of_euler(const Vector &angles, mw_euler_order order)
 inline Motor composed(const Motor &first, const Motor &then)
 {
     Motor product{};
-    EXPECT_EQ(mw_compose_motor_each_f64(mw_motors_f64_aos(&product, sizeof product),
-                                        mw_const_motors_f64_aos(&first, sizeof first),
-                                        mw_const_motors_f64_aos(&then, sizeof then), 1),
-              MW_OK);
+    EXPECT_EQ(mw_compose_motor_each_f64(&product, sizeof product, &first, sizeof first, &then, sizeof then, 1), MW_OK);
     return product;
 }
 
 inline Vector moved(const Motor &motor, const Vector &p)
 {
     Vector image{};
-    EXPECT_EQ(mw_apply_point_one_f64(mw_xyz_f64_aos(image.data(), sizeof image), &motor,
-                                     mw_const_xyz_f64_aos(p.data(), sizeof p), 1, MW_DEFAULT),
+    EXPECT_EQ(mw_apply_point_one_f64(image.data(), sizeof image, &motor, p.data(), sizeof p, 1, MW_DEFAULT),
               MW_OK);
     return image;
 }

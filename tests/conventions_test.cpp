@@ -28,7 +28,7 @@
 
 #include "conventions_algebra.h"
 #include "conventions_poses.h"
-#include "motorway.h"
+#include "motorway_views.h"
 #include "random.h"
 
 namespace motorway::testing::conventions {
@@ -97,11 +97,12 @@ TEST(ConventionsTest, quaternions_lie_as_xyzw_or_as_wxyz)
     for_many_poses(11, [](const Pose &pose, const Pose &, const Vector &) {
         const auto [x, y, z, w] = pose.rotation;
         const double wxyz[4] = {w, x, y, z};
-        const auto translation = mw_const_xyz_f64_aos(pose.translation.data(), sizeof pose.translation);
+        const mw_const_xyzw_f64 rotation = mw_const_xyzw_f64_wxyz(wxyz, sizeof wxyz);
+        const mw_const_xyz_f64 translation =
+            mw_const_xyz_f64_aos(pose.translation.data(), sizeof pose.translation);
         Motor motor;
-        ASSERT_EQ(mw_convert_pose_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor),
-                                                    mw_const_xyzw_f64_wxyz(wxyz, sizeof wxyz), translation, 1),
-                  MW_OK);
+        const mw_motors_f64 out = mw_motors_f64_aos(&motor, sizeof motor);
+        ASSERT_EQ(mw_convert_pose_to_motor_each_views_f64(&out, &rotation, &translation, 1), MW_OK);
         expect_near(motor, motor_of(pose));
     });
 }
@@ -177,8 +178,8 @@ TEST(ConventionsTest, scale_beside_the_motors_of_a_hierarchy)
             scale[j] = above * local_scale;
             local[j].b1i *= above, local[j].b2i *= above, local[j].b3i *= above, local[j].w *= above;
         }
-        ASSERT_EQ(mw_compose_motor_hierarchy_f64(mw_motors_f64_aos(world, 4 * sizeof(Motor)),
-                                                 mw_const_motors_f64_aos(local, 4 * sizeof(Motor)), sizeof(Motor),
+        ASSERT_EQ(mw_compose_motor_hierarchy_f64(world, 4 * sizeof(Motor),
+                                                 local, 4 * sizeof(Motor), sizeof(Motor),
                                                  parents, 4, 1, nullptr),
                   MW_OK);
         const Vector point = draw_vector(random);
@@ -219,8 +220,8 @@ TEST(ConventionsTest, dual_quaternions_that_are_not_unit)
         const double numbers[8] = {r.x, r.y, r.z, r.w, d.x, d.y, d.z, d.w};
         Motor motor{};
         ASSERT_EQ(mw_convert_dual_quaternion_to_motor_each_f64(
-                      mw_motors_f64_aos(&motor, sizeof motor),
-                      mw_const_dual_quaternions_f64_aos(numbers, sizeof numbers), 1),
+                      &motor, sizeof motor,
+                      numbers, sizeof numbers, 1),
                   MW_OK);
         const Quaternion product = d * conjugate(r);
         const double square = r.x * r.x + r.y * r.y + r.z * r.z + r.w * r.w;
@@ -240,16 +241,16 @@ TEST(ConventionsTest, axis_and_angle)
         const double cosine = std::cos(angle / 2), sine = std::sin(angle / 2);
         const double rotation[4] = {a[0], a[1], a[2], angle};
         Motor motor;
-        ASSERT_EQ(mw_convert_axis_angle_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor),
-                                                          mw_const_xyzw_f64_aos(rotation, sizeof rotation),
-                                                          mw_const_xyz_f64_aos(none.data(), sizeof none), 1),
+        ASSERT_EQ(mw_convert_axis_angle_to_motor_each_f64(&motor, sizeof motor,
+                                                          rotation, sizeof rotation,
+                                                          none.data(), sizeof none, 1),
                   MW_OK);
         expect_near(motor, {cosine, a[2] * sine, -a[1] * sine, a[0] * sine, 0, 0, 0, 0});
         std::array<double, 4> back;
         Vector translation;
-        ASSERT_EQ(mw_convert_motor_to_axis_angle_each_f64(mw_xyzw_f64_aos(back.data(), sizeof back),
-                                                          mw_xyz_f64_aos(translation.data(), sizeof translation),
-                                                          mw_const_motors_f64_aos(&motor, sizeof motor), 1),
+        ASSERT_EQ(mw_convert_motor_to_axis_angle_each_f64(back.data(), sizeof back,
+                                                          translation.data(), sizeof translation,
+                                                          &motor, sizeof motor, 1),
                   MW_OK);
         expect_near(back, {a[0], a[1], a[2], angle});
         expect_near(translation, none);
@@ -277,9 +278,9 @@ TEST(ConventionsTest, euler_angles_are_about_axes_that_turn_along)
         const Motor motor = motor_of_euler(angles, ours);
         expect_same_motion(motor, motor_of({rotation, {}}));
         Vector back, translation;
-        ASSERT_EQ(mw_convert_motor_to_euler_each_f64(mw_xyz_f64_aos(back.data(), sizeof back),
-                                                     mw_xyz_f64_aos(translation.data(), sizeof translation),
-                                                     mw_const_motors_f64_aos(&motor, sizeof motor), 1, ours),
+        ASSERT_EQ(mw_convert_motor_to_euler_each_f64(back.data(), sizeof back,
+                                                     translation.data(), sizeof translation,
+                                                     &motor, sizeof motor, 1, ours),
                   MW_OK);
         expect_same_motion(motor_of_euler(back, ours), motor);
     }
@@ -305,14 +306,14 @@ TEST(ConventionsTest, a_screw_in_components)
         const double c = std::cos(angle / 2), s = std::sin(angle / 2), half = distance / 2;
         const double screw[8] = {a[0], a[1], a[2], p[0], p[1], p[2], angle, distance};
         Motor motor;
-        ASSERT_EQ(mw_convert_screw_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor),
-                                                     mw_const_screws_f64_aos(screw, sizeof screw), 1),
+        ASSERT_EQ(mw_convert_screw_to_motor_each_f64(&motor, sizeof motor,
+                                                     screw, sizeof screw, 1),
                   MW_OK);
         expect_near(motor, {c, s * a[2], -s * a[1], s * a[0], half * c * a[0] + s * m[0], half * c * a[1] + s * m[1],
                             half * c * a[2] + s * m[2], half * s});
         std::array<double, 8> back;  // with the point of the axis nearest to the origin
-        ASSERT_EQ(mw_convert_motor_to_screw_each_f64(mw_screws_f64_aos(back.data(), sizeof back),
-                                                     mw_const_motors_f64_aos(&motor, sizeof motor), 1),
+        ASSERT_EQ(mw_convert_motor_to_screw_each_f64(back.data(), sizeof back,
+                                                     &motor, sizeof motor, 1),
                   MW_OK);
         const Vector nearest = p + -dot(p, a) * a;
         expect_near(back, {a[0], a[1], a[2], nearest[0], nearest[1], nearest[2], angle, distance});
@@ -326,8 +327,8 @@ TEST(ConventionsTest, a_translation_in_components)
     Random random(9);
     const Vector t = draw_vector(random);
     Motor motor;
-    ASSERT_EQ(mw_convert_translation_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor),
-                                                       mw_const_xyz_f64_aos(t.data(), sizeof t), 1),
+    ASSERT_EQ(mw_convert_translation_to_motor_each_f64(&motor, sizeof motor,
+                                                       t.data(), sizeof t, 1),
               MW_OK);
     expect_near(motor, {1, 0, 0, 0, t[0] / 2, t[1] / 2, t[2] / 2, 0});
 }
@@ -343,14 +344,14 @@ TEST(ConventionsTest, rotors_of_wareham_and_lasenby)
         for_many_poses(10, [&](const Pose &pose, const Pose &, const Vector &x) {
             const Motor motor = motor_of(pose);
             Motor r;
-            ASSERT_EQ(mw_convert_motor_to_rotor_each_f64(mw_motors_f64_aos(&r, sizeof r),
-                                                         mw_const_motors_f64_aos(&motor, sizeof motor), 1, lambda),
+            ASSERT_EQ(mw_convert_motor_to_rotor_each_f64(&r, sizeof r,
+                                                         &motor, sizeof motor, 1, lambda),
                       MW_OK);
             expect_near(r, {motor.s, -motor.b12, -motor.b13, -motor.b23, -motor.b1i / lambda, -motor.b2i / lambda,
                             -motor.b3i / lambda, motor.w / lambda});
             Motor back;
-            ASSERT_EQ(mw_convert_rotor_to_motor_each_f64(mw_motors_f64_aos(&back, sizeof back),
-                                                         mw_const_motors_f64_aos(&r, sizeof r), 1, lambda),
+            ASSERT_EQ(mw_convert_rotor_to_motor_each_f64(&back, sizeof back,
+                                                         &r, sizeof r, 1, lambda),
                       MW_OK);
             expect_near(back, motor);
             const Element vector =
@@ -384,8 +385,8 @@ DualQuaternion product(const DualQuaternion &a, const DualQuaternion &b)
 Motor motor_of_dual(const DualQuaternion &q)
 {
     Motor motor{};
-    EXPECT_EQ(mw_convert_dual_quaternion_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor),
-                                                           mw_const_dual_quaternions_f64_aos(&q[0].x, sizeof q), 1),
+    EXPECT_EQ(mw_convert_dual_quaternion_to_motor_each_f64(&motor, sizeof motor,
+                                                           &q[0].x, sizeof q, 1),
               MW_OK);
     return motor;
 }
@@ -412,9 +413,9 @@ TEST(ConventionsTest, dual_quaternions)
         expect_near(moved(m, p), rotated(a[0], p) + Vector{offset.x, offset.y, offset.z});
 
         std::array<double, 8> wxyz;
-        ASSERT_EQ(mw_convert_motor_to_dual_quaternion_each_f64(mw_dual_quaternions_f64_wxyz(wxyz.data(), sizeof wxyz),
-                                                               mw_const_motors_f64_aos(&m, sizeof m), 1),
-                  MW_OK);
+        const mw_dual_quaternions_f64 out = mw_dual_quaternions_f64_wxyz(wxyz.data(), sizeof wxyz);
+        const mw_const_motors_f64 motors = mw_const_motors_f64_aos(&m, sizeof m);
+        ASSERT_EQ(mw_convert_motor_to_dual_quaternion_each_views_f64(&out, &motors, 1), MW_OK);
         expect_near(wxyz, {a[0].w, a[0].x, a[0].y, a[0].z, a[1].w, a[1].x, a[1].y, a[1].z});
     });
 }
@@ -435,10 +436,12 @@ GlmDualQuaternion glm_dual_quaternion(const Pose &pose)
 Motor motor_of_glm(const GlmDualQuaternion &q)
 {
     const double *const first = reinterpret_cast<const double *>(&q);
-    const auto view = &q.real.w < &q.real.x ? mw_const_dual_quaternions_f64_wxyz(first, sizeof q)
-                                            : mw_const_dual_quaternions_f64_aos(first, sizeof q);
+    const mw_const_dual_quaternions_f64 view = &q.real.w < &q.real.x
+                                                   ? mw_const_dual_quaternions_f64_wxyz(first, sizeof q)
+                                                   : mw_const_dual_quaternions_f64_aos(first, sizeof q);
     Motor motor{};
-    EXPECT_EQ(mw_convert_dual_quaternion_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor), view, 1), MW_OK);
+    const mw_motors_f64 out = mw_motors_f64_aos(&motor, sizeof motor);
+    EXPECT_EQ(mw_convert_dual_quaternion_to_motor_each_views_f64(&out, &view, 1), MW_OK);
     return motor;
 }
 
@@ -697,8 +700,8 @@ TEST(ConventionsTest, gltf)
     Motor locals[3], globals[3];
     for (std::size_t k = 0; k < 3; ++k)
         locals[k] = motor_of(nodes[k]);
-    ASSERT_EQ(mw_compose_motor_hierarchy_f64(mw_motors_f64_aos(globals, 3 * sizeof(Motor)),
-                                             mw_const_motors_f64_aos(locals, 3 * sizeof(Motor)), sizeof(Motor),
+    ASSERT_EQ(mw_compose_motor_hierarchy_f64(globals, 3 * sizeof(Motor),
+                                             locals, 3 * sizeof(Motor), sizeof(Motor),
                                              parents, 3, 1, nullptr),
               MW_OK);
     Matrix global = matrix_of(nodes[0]);
@@ -813,8 +816,8 @@ Motor exp_of_tangent(const std::array<double, 6> &t)
 {
     const double bivector[6] = {t[5] / 2, -t[4] / 2, t[3] / 2, t[0] / 2, t[1] / 2, t[2] / 2};
     Motor motor{};
-    EXPECT_EQ(mw_exp_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor),
-                                    mw_const_bivectors_f64_aos(bivector, sizeof bivector), 1),
+    EXPECT_EQ(mw_exp_motor_each_f64(&motor, sizeof motor,
+                                    bivector, sizeof bivector, 1),
               MW_OK);
     return motor;
 }
@@ -822,8 +825,8 @@ Motor exp_of_tangent(const std::array<double, 6> &t)
 std::array<double, 6> tangent_of(const Motor &motor)
 {
     double b[6];
-    EXPECT_EQ(mw_log_motor_each_f64(mw_bivectors_f64_aos(b, sizeof b),
-                                    mw_const_motors_f64_aos(&motor, sizeof motor), 1, MW_UNIT_MOTORS),
+    EXPECT_EQ(mw_log_motor_each_f64(b, sizeof b,
+                                    &motor, sizeof motor, 1, MW_UNIT_MOTORS),
               MW_OK);
     return {2 * b[3], 2 * b[4], 2 * b[5], 2 * b[2], -2 * b[1], 2 * b[0]};
 }
@@ -942,9 +945,9 @@ TEST(ConventionsTest, from_blender_to_gltf)
 Motor slerp(const Motor &first, const Motor &second, double parameter, unsigned flags)
 {
     Motor motor{};
-    EXPECT_EQ(mw_slerp_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor),
-                                      mw_const_motors_f64_aos(&first, sizeof first),
-                                      mw_const_motors_f64_aos(&second, sizeof second), &parameter, 0, 1, flags),
+    EXPECT_EQ(mw_slerp_motor_each_f64(&motor, sizeof motor,
+                                      &first, sizeof first,
+                                      &second, sizeof second, &parameter, 0, 1, flags),
               MW_OK);
     return motor;
 }
@@ -1013,8 +1016,8 @@ TEST(LectureNotesTest, homogeneous_matrices)
     const Vector expected[] = {p, {c - 2 * s, s + 2 * c, 3}};
     for (std::size_t k = 0; k < 2; ++k) {
         Vector direction;
-        ASSERT_EQ(mw_apply_direction_one_f64(mw_xyz_f64_aos(direction.data(), sizeof direction), &direction_by[k],
-                                             mw_const_xyz_f64_aos(p.data(), sizeof p), 1, MW_DEFAULT),
+        ASSERT_EQ(mw_apply_direction_one_f64(direction.data(), sizeof direction, &direction_by[k],
+                                             p.data(), sizeof p, 1, MW_DEFAULT),
                   MW_OK);
         expect_near(direction, expected[k]);
     }

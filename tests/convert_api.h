@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "api.h"
-#include "motorway.h"
+#include "motorway_views.h"
 
 namespace motorway::testing {
 

@@ -311,7 +311,7 @@ TYPED_TEST(GoldenTest, ratio_motor)
 #define MOTORWAY_GOLDEN_CONVERSION(P, function, ...)                                                                 \
     [](std::vector<scalar_##P> &in, Result<scalar_##P> &out) {                                                       \
         (void)in, (void)out;                                                                                         \
-        return mw_convert_##function##_each_##P(__VA_ARGS__);                                                        \
+        return api<scalar_##P>::convert_##function##_each(__VA_ARGS__);                                                        \
     }
 #define MOTORWAY_GOLDEN_OUT(views, P, order, at) mw_##views##_##P##_##order(&out[at], 64)
 #define MOTORWAY_GOLDEN_IN(views, P, order, at) mw_const_##views##_##P##_##order(&in[at], 64)
@@ -322,7 +322,7 @@ TYPED_TEST(GoldenTest, ratio_motor)
     const auto matrix = [](mw_matrix_layout layout) {                                                                \
         return [layout](std::vector<T> &in, Result<T> &out) {                                                        \
             const mw_matrices_##P matrices = {out.data(), sizeof out, layout};                                       \
-            return mw_convert_motor_to_matrix_each_##P(matrices, MOTORWAY_GOLDEN_CONST_MOTORS(P, 0), 1);             \
+            return api<scalar_##P>::convert_motor_to_matrix_each(matrices, MOTORWAY_GOLDEN_CONST_MOTORS(P, 0), 1);             \
         };                                                                                                           \
     };                                                                                                               \
     expect_golden<T>(golden_convert_motor_to_rows_3x4, matrix(MW_MATRIX_ROWS_3X4));                                  \

@@ -171,14 +171,14 @@ TEST(CheckIndices, finds_the_first_that_is_past_the_palette)
                     for (std::size_t i = 0; i < count; ++i)
                         put(first + i * stride, t.type, i % 100);
                     std::size_t bad = 1234;
-                    EXPECT_EQ(mw_check_indices(indices, count, 100, &bad), MW_OK);
+                    EXPECT_EQ(check_indices(indices, count, 100, &bad), MW_OK);
                     EXPECT_EQ(bad, 1234u);
                     for (std::size_t place = 0; place < count; ++place) {
                         put(first + (count - 1) * stride, t.type, t.largest);
                         put(first + place * stride, t.type, 100);
-                        EXPECT_EQ(mw_check_indices(indices, count, 100, &bad), MW_ERROR_INDEX);
+                        EXPECT_EQ(check_indices(indices, count, 100, &bad), MW_ERROR_INDEX);
                         EXPECT_EQ(bad, place) << "of " << count << ", stride " << stride;
-                        EXPECT_EQ(mw_check_indices(indices, count, 100, nullptr), MW_ERROR_INDEX);
+                        EXPECT_EQ(check_indices(indices, count, 100, nullptr), MW_ERROR_INDEX);
                         put(first + (count - 1) * stride, t.type, 99);
                         put(first + place * stride, t.type, 99);
                     }
@@ -192,10 +192,10 @@ TEST(CheckIndices, takes_the_largest_index_for_what_it_is)
         put(index, t.type, t.largest);
         const mw_indices indices = {index, std::size_t(t.type), t.type};
         std::size_t bad = 1234;
-        EXPECT_EQ(mw_check_indices(indices, 1, t.largest, &bad), MW_ERROR_INDEX);
+        EXPECT_EQ(check_indices(indices, 1, t.largest, &bad), MW_ERROR_INDEX);
         EXPECT_EQ(bad, 0u);
-        EXPECT_EQ(mw_check_indices(indices, 1, t.largest + 1, &bad), MW_OK);
-        EXPECT_EQ(mw_check_indices(indices, 1, most, &bad), MW_OK);
+        EXPECT_EQ(check_indices(indices, 1, t.largest + 1, &bad), MW_OK);
+        EXPECT_EQ(check_indices(indices, 1, most, &bad), MW_OK);
     }
 }
 
@@ -205,17 +205,17 @@ TEST(CheckIndices, says_what_else_is_wrong)
     std::size_t bad = 1234;
     for (const IndexType &t : all_types) {
         const std::size_t size = t.type;
-        EXPECT_EQ(mw_check_indices({nullptr, size, t.type}, 3, 5, &bad), MW_ERROR_NULL);
-        EXPECT_EQ(mw_check_indices({numbers, size - 1, t.type}, 3, 5, &bad), MW_ERROR_STRIDE);
-        EXPECT_EQ(mw_check_indices({numbers, 0, t.type}, 3, 5, &bad), MW_ERROR_STRIDE);
-        EXPECT_EQ(mw_check_indices({numbers, size, t.type}, most, 5, &bad), MW_ERROR_SIZE);
-        EXPECT_EQ(mw_check_indices({numbers, most / 4, t.type}, 20, 5, &bad), MW_ERROR_SIZE);
-        EXPECT_EQ(mw_check_indices({nullptr, 0, t.type}, 0, 5, &bad), MW_OK);
+        EXPECT_EQ(check_indices({nullptr, size, t.type}, 3, 5, &bad), MW_ERROR_NULL);
+        EXPECT_EQ(check_indices({numbers, size - 1, t.type}, 3, 5, &bad), MW_ERROR_STRIDE);
+        EXPECT_EQ(check_indices({numbers, 0, t.type}, 3, 5, &bad), MW_ERROR_STRIDE);
+        EXPECT_EQ(check_indices({numbers, size, t.type}, most, 5, &bad), MW_ERROR_SIZE);
+        EXPECT_EQ(check_indices({numbers, most / 4, t.type}, 20, 5, &bad), MW_ERROR_SIZE);
+        EXPECT_EQ(check_indices({nullptr, 0, t.type}, 0, 5, &bad), MW_OK);
     }
     for (int type : {0, 3, 5, 6, 7})
-        EXPECT_EQ(mw_check_indices({numbers, 8, static_cast<mw_index_type>(type)}, 3, 5, &bad), MW_ERROR_INDEX_TYPE);
+        EXPECT_EQ(check_indices({numbers, 8, static_cast<mw_index_type>(type)}, 3, 5, &bad), MW_ERROR_INDEX_TYPE);
     EXPECT_EQ(bad, 1234u);
-    EXPECT_EQ(mw_check_indices({numbers, 1, MW_INDEX_U8}, 3, 0, &bad), MW_ERROR_INDEX);
+    EXPECT_EQ(check_indices({numbers, 1, MW_INDEX_U8}, 3, 0, &bad), MW_ERROR_INDEX);
     EXPECT_EQ(bad, 0u);
 }
 

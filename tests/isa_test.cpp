@@ -104,6 +104,12 @@ TEST(IsaVariable, each_name_selects_itself)
     }
 }
 
+TEST(IsaVariable, takes_any_case_of_letters)
+{
+    for (const char *isa : {"SCALAR", "Scalar", "sCALaR"})
+        EXPECT_EQ(probe(isa).output, "scalar") << isa;
+}
+
 void expect_refusal(const char *isa)
 {
     const Probe result = probe(isa);
@@ -113,7 +119,7 @@ void expect_refusal(const char *isa)
 
 TEST(IsaVariable, an_unknown_name_is_an_error_that_names_those_that_run)
 {
-    for (const char *isa : {"avx3", "AVX2", "scalar ", "sse", "avx2,scalar"})
+    for (const char *isa : {"avx3", "AVX", "scalar ", "sse", "SSE22", "avx2,scalar"})
         expect_refusal(isa);
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dispatch.h"
-#include "motorway.h"
+#include "motorway_views.h"
 
 namespace motorway::testing {
 

@@ -40,7 +40,7 @@ std::vector<MotionFunction<T>> motion_functions();
 
 #define MOTORWAY_TEST_MOTION(operand, views, P)                                                                      \
     {#operand, Moved::operand, Operand::views, [](const MotionCall<scalar_##P> &c) {                                 \
-         return mw_apply_##operand##_motion_##P(api_view<mw_##views##_##P>(c.out), c.row_stride, c.motion, c.index,  \
+         return api<scalar_##P>::apply_##operand##_motion(api_view<mw_##views##_##P>(c.out), c.row_stride, c.motion, c.index,  \
                                                 c.parameters, c.parameter_count,                                     \
                                                 api_view<mw_const_##views##_##P>(c.in), c.count, c.flags);           \
      }},

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "motorway.h"
+#include "motorway_views.h"
 #include "reference.h"
 
 namespace motorway::reference {

@@ -114,9 +114,9 @@ TEST(MotorLength, AppliedToAMotorAsLong)
     for (const std::string &isa : running_isas()) {
         const ScopedIsa use(isa);
         mw_motor_f32 result{};
-        ASSERT_EQ(mw_apply_motor_each_f32(mw_motors_f32_aos(&result, sizeof result),
-                                          mw_const_motors_f32_aos(&by, sizeof by),
-                                          mw_const_motors_f32_aos(&moved, sizeof moved), 1, 0),
+        ASSERT_EQ(mw_apply_motor_each_f32(&result, sizeof result,
+                                          &by, sizeof by,
+                                          &moved, sizeof moved, 1, 0),
                   MW_OK);
         EXPECT_EQ(result.s, std::ldexp(0.6f, 50)) << isa;
         // e23 turned by the angle whose half has the cosine 0.8, within a few roundings.

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "conventions_poses.h"
-#include "motorway.h"
+#include "motorway_views.h"
 #include "random.h"
 
 namespace motorway::testing::conventions {
@@ -24,9 +24,6 @@ void for_many_pairs(std::uint64_t seed, const std::function<void(const Pose &, c
         test(first, second, random.uniform(0, 1));
     }
 }
-
-mw_motors_f64 to(Motor &motor) { return mw_motors_f64_aos(&motor, sizeof motor); }
-mw_const_motors_f64 from(const Motor &motor) { return mw_const_motors_f64_aos(&motor, sizeof motor); }
 
 // ------------------------------------------------------------------------------------------------ relative poses
 
@@ -46,8 +43,8 @@ TEST(RecipesTest, a_ratio_is_T1_times_the_inverse_of_T0_in_matrices)
 {
     for_many_pairs(1, [](const Pose &first, const Pose &second, double) {
         Motor ratio{};
-        ASSERT_EQ(mw_ratio_motor_each_f64(to(ratio), from(motor_of(first)), from(motor_of(second)), 1, MW_DEFAULT),
-                  MW_OK);
+        const Motor from = motor_of(first), to = motor_of(second);
+        ASSERT_EQ(mw_ratio_motor_each_f64(&ratio, sizeof ratio, &from, sizeof from, &to, sizeof to, 1, MW_DEFAULT), MW_OK);
         expect_near(matrix_of(pose_of(ratio)), matrix_of(second) * inverse(first));
     });
 }
@@ -56,8 +53,9 @@ TEST(RecipesTest, the_pose_seen_from_another_is_the_inverse_of_T0_times_T1_in_ma
 {
     for_many_pairs(2, [](const Pose &first, const Pose &second, double) {
         Motor seen{};
-        ASSERT_EQ(mw_inverse_motor_each_f64(to(seen), from(motor_of(first)), 1), MW_OK);
-        ASSERT_EQ(mw_compose_motor_each_f64(to(seen), from(motor_of(second)), from(seen), 1), MW_OK);
+        const Motor from = motor_of(first), to = motor_of(second);
+        ASSERT_EQ(mw_inverse_motor_each_f64(&seen, sizeof seen, &from, sizeof from, 1), MW_OK);
+        ASSERT_EQ(mw_compose_motor_each_f64(&seen, sizeof seen, &to, sizeof to, &seen, sizeof seen, 1), MW_OK);
         expect_near(matrix_of(pose_of(seen)), inverse(first) * matrix_of(second));
     });
 }
@@ -90,7 +88,7 @@ Motor crossfade_by_motors(const Motor &first, const Motor &second, double t)
     const Motor turn_b{second.s, second.b12, second.b13, second.b23, 0, 0, 0, 0};
     const Vector shift = (1 - t) * pose_of(first).translation + t * pose_of(second).translation;
     Motor turn{}, move{};
-    EXPECT_EQ(mw_nlerp_motor_one_f64(to(turn), &turn_a, &turn_b, &t, 0, 1, MW_DEFAULT), MW_OK);
+    EXPECT_EQ(mw_nlerp_motor_one_f64(&turn, sizeof turn, &turn_a, &turn_b, &t, 0, 1, MW_DEFAULT), MW_OK);
     EXPECT_EQ(mw_translation_f64(&move, shift.data()), MW_OK);
     return composed(turn, move);
 }
@@ -98,7 +96,7 @@ Motor crossfade_by_motors(const Motor &first, const Motor &second, double t)
 Motor nlerp(const Motor &first, const Motor &second, double t)
 {
     Motor motor{};
-    EXPECT_EQ(mw_nlerp_motor_one_f64(to(motor), &first, &second, &t, 0, 1, MW_DEFAULT), MW_OK);
+    EXPECT_EQ(mw_nlerp_motor_one_f64(&motor, sizeof motor, &first, &second, &t, 0, 1, MW_DEFAULT), MW_OK);
     return motor;
 }
 

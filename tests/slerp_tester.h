@@ -63,8 +63,8 @@ T draw_parameter(Random &random, double below, double above)
 template <class T>
 struct Interpolation {
     std::string verb;
-    decltype(api<T>::slerp_motor_each) each;
-    decltype(api<T>::slerp_motor_one) one;
+    std::decay_t<decltype(api<T>::slerp_motor_each)> each;
+    std::decay_t<decltype(api<T>::slerp_motor_one)> one;
     Way way;
     T (*draw)(Random &random, Way way, const T *first, const T *second);
     Expected (*expect)(Way way, const T *first, const T *second, T parameter);

@@ -19,7 +19,6 @@ from api import (
     motor,
     motors_of_calls,
     motors_side_by_side,
-    number,
     out,
     parameter,
     size,
@@ -35,14 +34,18 @@ PAIRINGS = {
 }
 PLURALS = {"vertex": "vertices"}
 
-INDICES = number("indices", "mw_indices", "input indices")
+INDICES = Parameter(
+    "indices", "input indices", "const mw_indices *{name}", "indices_of({name})", cpp="mw_indices {name}",
+    argument="&indices", is_view=True, plain=("const void *{name}", "size_t index_stride", "mw_index_type index_type"),
+    plain_inner="mw_indices{{{name}, index_stride, index_type}}",
+)
 NO_SHIFT = Parameter("shift", "", "", "no_shift()")
 SHIFT = parameter("shift", "shift", "const mw_shift *{name}", "some_shift({name})", cpp="const mw_shift &{name}",
                   argument="&shift", default="{{}}")
 
 
 def elements(parameter: Parameter) -> Parameter:
-    return replace(parameter, inner=f"elements_of({parameter.name})")
+    return replace(parameter, inner=f"elements_of({parameter.name})", plain_inner=f"elements_of({parameter.plain_inner})")
 
 
 def kernels(operand: str, *names: str, mixed: bool = False) -> str:
@@ -79,15 +82,16 @@ APPLY = Group(
     """\
 mw_apply_<operand>_<pairing>_<precision>: every operand in every pairing.
 
-    operand     view          what becomes of an element under the motor S (the paper's section 3)
-    point       mw_xyz        F_S(p): rotated and translated
-    direction   mw_xyz        rotated: normals, velocities
-    tangent     mw_xyzw       x y z rotated, w passed through, as glTF and engines store tangents
-    vertex      mw_vertices   a point and a direction in one pass
-    vector      mw_vectors    moved as a whole: of a point, a sphere or a plane the same of its image
-    line        mw_lines      the line through the images of its points; its length is kept
-    motor       mw_motors     T^-1 M T of the motor M under T: the same motion about the moved place
-    bivector    mw_bivectors  S^-1 B S: the logarithm of a motor, or a twist, moved likewise (the adjoint action).
+    operand     numbers       what becomes of an element under the motor S (the paper's section 3)
+    point       x y z         F_S(p): rotated and translated
+    direction   x y z         rotated: normals, velocities
+    tangent     x y z w       x y z rotated, w passed through, as glTF and engines store tangents
+    vertex      2 of x y z    a point and a direction in one pass: the position and the normal
+    vector      e0 ... e3 ei  moved as a whole: of a point, a sphere or a plane the same of its image
+    line        d, then m     Plücker: the direction, and the moment p × d of any point p on it. The line through the
+                              images of its points; its length is kept
+    motor       mw_motor      T^-1 M T of the motor M under T: the same motion about the moved place
+    bivector    b12 ... b3i   S^-1 B S: the logarithm of a motor, or a twist, moved likewise (the adjoint action).
                               In Plücker coordinates, as a twist (ω, velocity of the origin) or a wrench (force,
                               torque about the origin), it is a line
 
@@ -97,8 +101,8 @@ mw_apply_<operand>_<pairing>_<precision>: every operand in every pairing.
     indexed     under palette[indices[i]]: rigid parts, instances
     grid        under motors[m], for every m: out holds motor_count rows of count elements, and row m begins
                 m * row_stride bytes after row 0. Rows one after the other (motor-major) have row_stride >= count *
-                out.stride; elements one after the other (point-major), each with its motor_count images side by
-                side, have out.stride >= motor_count * row_stride. One of the two must hold.
+                out_stride; elements one after the other (point-major), each with its motor_count images side by
+                side, have out_stride >= motor_count * row_stride. One of the two must hold.
 
 Motors need not be normalised, in any of them. Flags: MW_UNIT_MOTORS, MW_STREAMING_STORES, MW_NO_STREAMING_STORES.
 

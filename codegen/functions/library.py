@@ -1,4 +1,4 @@
-"""The library itself: what a status means, and which instruction sets there are."""
+"""The library itself: its version, what a status means, and which instruction sets there are."""
 
 from __future__ import annotations
 
@@ -9,11 +9,18 @@ def text(name: str, *parameters) -> Function:
     return Function(name, parameters, precisions=WITHOUT, returns="const char *")
 
 
+VERSION = Group(
+    """\
+The version of the library that is linked, as 10000 * major + 100 * minor + patch. MW_VERSION is that of the header.""",
+    (Function("version", (), precisions=WITHOUT, returns="unsigned"),),
+    "status",
+)
+
 STATUS_TEXT = Group(
     """\
 What a status means and what to do about it: one line of English without a line end, never null, valid forever.
 For MW_ERROR_ISA it names the instruction sets that can run here.""",
-    (text("status_text", number("status", "mw_status", "status")),),
+    (text("status_text", number("of", "mw_status", "status")),),
     "status",
 )
 

@@ -11,7 +11,7 @@ from api import (
     Function,
     Group,
     array,
-    by_value,
+    arrays,
     given,
     made,
     made_triple,
@@ -218,7 +218,7 @@ Time: count * sample_count.""",
 
 # --------------------------------------------------------------------------------------------------- making and editing
 
-ARRAYS = by_value("motion_arrays", "arrays")
+ARRAYS = arrays("arrays")
 
 INTERPOLATE = Group(
     """\
@@ -266,8 +266,8 @@ are too small, such as {0}, *out says by control_count and knot_count what it ta
         Function(
             "split_motion",
             (
-                made("motion", "before"), by_value("motion_arrays", "before_arrays"), made("motion", "after"),
-                by_value("motion_arrays", "after_arrays"), MOTION, scalar("at"),
+                made("motion", "before"), arrays("before_arrays"), made("motion", "after"),
+                arrays("after_arrays"), MOTION, scalar("at"),
             ),
         ),
     ),

@@ -8,14 +8,12 @@ from api import (
     FLAGS,
     Function,
     Group,
-    array,
-    by_value,
+    Parameter,
     given,
     made,
     made_triple,
     motor,
     motors_side_by_side,
-    number,
     out,
     parameter,
     scalar,
@@ -23,6 +21,7 @@ from api import (
     streams,
     strided,
     struct,
+    struct_of_views,
     triple,
     with_shared_motors,
 )
@@ -91,8 +90,8 @@ Poses along a hierarchy, of many instances at once: out[j][i] = locals[j][i] out
 from the space of joint j to that of its root, for joints j < joint_count in order and instances i < count.
 parents[j] < j, or negative for a root, of which out[j][i] = locals[j][i]. The motors of joint j begin
 j * joint_stride bytes after those of joint 0, of locals and of out alike: instances side by side
-(joint_stride >= count * stride) are a lane each, which is the fast way; skeletons one after the other have
-stride >= joint_count * joint_stride. Joints may not run into each other (MW_ERROR_STRIDE).
+(joint_stride >= count * out_stride) are a lane each, which is the fast way; skeletons one after the other have
+out_stride >= joint_count * joint_stride. Joints may not run into each other (MW_ERROR_STRIDE).
 In place if locals is out; or if a motor of each, such as two fields of a joint, lies within the smaller of the two
 strides. On MW_ERROR_PARENT *first_bad (unless that pointer is null) is the joint.""",
     (
@@ -140,7 +139,7 @@ RATIO = Group(
 out[i] = from[i]^-1 to[i], the relative motor: what is to be done after from[i] to come to to[i], so that composing
 from[i] and then out[i] gives to[i]. The left factor acts first: as matrices, which act on columns, out is T1 T0^-1,
 with T0 that of `from` and T1 that of `to`. T0^-1 T1, the pose of `to` as seen from `from`, is another one:
-mw_inverse_motor_each(out, from, count), and then mw_compose_motor_each(out, to, out, count).
+mw_inverse_motor_each of `from`, and then mw_compose_motor_each of `to` and that.
 With MW_UNIT_MOTORS from[i] must be normalised.""",
     (
         streams(
@@ -274,7 +273,7 @@ is at the origin when λ = 0, a helix in closed form (section 4.1, errata.md). C
 
 # -------------------------------------------------------------------------------------------------------------- blends
 
-WEIGHTS = by_value("weights", "weights", "weights_of({name})")
+WEIGHTS = struct_of_views("weights_{P}", "weights", "weights", "weights_of({name})")
 TERM_COUNT = size("term_count")
 
 BLEND_ONE = Group(
@@ -297,7 +296,8 @@ the view of all elements' k-th control. At most MW_MAX_TERMS terms.""",
             "blend_motor_each",
             (
                 out("motors"),
-                parameter("controls", "views of motors, one per term", "const mw_const_motors_{P} *{name}"),
+                Parameter("controls", "views of motors, one per term", "const mw_const_motors_{P} *{name}", "{name}",
+                          is_view=True),
                 WEIGHTS, TERM_COUNT, COUNT,
             ),
         ),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from api import COUNT, FIRST_BAD, FLAGS, Function, Group, given, matrices, number, out, parameter, scalar, streams
+from api import COUNT, FIRST_BAD, FLAGS, Function, Group, given, number, out, parameter, scalar, streams
 from functions.motors import VIEWS
 
 MOTORS = given("motors", "motors")
@@ -50,8 +50,8 @@ none is (a mirror image, which is as near to all its half turns; what leaves no 
 of numbers that are not finite. Slower by far: one after the other, twice each, by Jacobi's method in double.
 MW_ERROR_FLAGS also for both flags together.""",
     (
-        conversion("motor_to_matrix", out("matrices", inner="matrices_of({name})"), MOTORS, COUNT),
-        conversion("matrix_to_motor", out("motors"), matrices("matrices"), COUNT, FLAGS, FIRST_BAD),
+        conversion("motor_to_matrix", out("matrices"), MOTORS, COUNT),
+        conversion("matrix_to_motor", out("motors"), given("matrices", "matrices"), COUNT, FLAGS, FIRST_BAD),
     ),
     "matrices",
     VIEWS + ("MATRIX_LAYOUT", "MATRIX (matrix_to_motor)", "FLAGS (matrix_to_motor)"),
@@ -68,7 +68,7 @@ pointers may be null.""",
         Function(
             "check_matrices",
             (
-                matrices("matrices"), COUNT, scalar("tolerance"), FIRST_BAD,
+                given("matrices", "matrices"), COUNT, scalar("tolerance"), FIRST_BAD,
                 parameter("deviation", "output number", "{T} *{name}", default="nullptr"),
             ),
         ),

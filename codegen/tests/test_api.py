@@ -4,7 +4,7 @@ import re
 import unittest
 from pathlib import Path
 
-from api import BOTH, F32
+from api import BOTH, F32, PLAIN, VIEWED
 from api_text import FUNCTIONS, GROUPS, documentation, head, listed, overload
 from generate import variants_of
 from kernels import KERNELS
@@ -67,15 +67,45 @@ class Text(unittest.TestCase):
         self.assertEqual(" ".join(line.strip() for line in lines), "mw_status mw_f(" + ", ".join(items) + ");")
 
     def test_prototypes_and_overloads(self):
-        compose = next(f for f in FUNCTIONS if f.name == "compose_motor_one_first")
+        compose = function("compose_motor_one_first")
         self.assertEqual(compose.precisions, BOTH)
-        prototype = " ".join(line.strip() for line in head(compose, F32, ";"))
         self.assertEqual(
-            prototype,
-            "mw_status mw_compose_motor_one_first_f32(mw_motors_f32 out, const mw_motor_f32 *first, "
-            "mw_const_motors_f32 then, size_t count);",
+            one_line(head(compose, F32, PLAIN, ";")),
+            "mw_status mw_compose_motor_one_first_f32(mw_motor_f32 *out, size_t out_stride, const mw_motor_f32 *first, "
+            "const mw_motor_f32 *then, size_t then_stride, size_t count);",
         )
-        self.assertIn("return mw_compose_motor_one_first_f32(out, &first, then, count);", overload(compose, F32))
+        self.assertEqual(
+            one_line(head(compose, F32, VIEWED, ";")),
+            "mw_status mw_compose_motor_one_first_views_f32(const mw_motors_f32 *out, const mw_motor_f32 *first, "
+            "const mw_const_motors_f32 *then, size_t count);",
+        )
+        self.assertIn(
+            "return mw_compose_motor_one_first_views_f32(&out, &first, &then, count);", overload(compose, F32)
+        )
+
+    def test_functions_without_views_have_one_form_and_some_with_views_no_other(self):
+        self.assertEqual(function("rotation").forms, (PLAIN,))
+        self.assertEqual(function("reverse_motor_each").forms, (PLAIN, VIEWED))
+        self.assertEqual(function("blend_motor_each").forms, (VIEWED,))
+
+    def test_no_struct_is_passed_by_value(self):
+        for f in FUNCTIONS:
+            for form in f.forms:
+                for precision in f.precisions:
+                    for text in f.declarations(form, precision):
+                        by_value = text.startswith("mw_") and "*" not in text
+                        self.assertTrue(not by_value or text.split()[0] in ENUMERATIONS, text)
+
+
+ENUMERATIONS = {"mw_status", "mw_index_type", "mw_matrix_layout", "mw_euler_order", "mw_motion_kind"}
+
+
+def function(name):
+    return next(f for f in FUNCTIONS if f.name == name)
+
+
+def one_line(lines):
+    return " ".join(line.strip() for line in lines)
 
 
 if __name__ == "__main__":

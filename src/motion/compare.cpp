@@ -27,12 +27,12 @@ template <class T> struct places {
     inline void apply(places<T> *images, const mw_motor_##P *poses, std::size_t pose_count, const places<T> &points,  \
                       std::size_t count)                                                                              \
     {                                                                                                                 \
+        const auto &in = points.component;                                                                            \
         auto &out = images->component;                                                                                \
-        mw_apply_point_grid_##P(mw_xyz_##P##_soa(out[0], out[1], out[2]), sizeof *images,                             \
-                                mw_const_motors_##P##_aos(poses, sizeof *poses), pose_count,                          \
-                                mw_const_xyz_##P##_soa(points.component[0], points.component[1],                      \
-                                                       points.component[2]),                                          \
-                                count, MW_DEFAULT);                                                                   \
+        const mw_xyz_##P to = mw_xyz_##P##_soa(out[0], out[1], out[2]);                                               \
+        const mw_const_xyz_##P from = mw_const_xyz_##P##_soa(in[0], in[1], in[2]);                                    \
+        const mw_const_motors_##P motors = mw_const_motors_##P##_aos(poses, sizeof *poses);                           \
+        mw_apply_point_grid_views_##P(&to, sizeof *images, &motors, pose_count, &from, count, MW_DEFAULT);            \
     }
 MOTORWAY_CALLS(f32, float)
 MOTORWAY_CALLS(f64, double)

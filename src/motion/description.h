@@ -188,4 +188,7 @@ template <class T> mw_status check_description(const motion_of<T> &motion, std::
     return MW_OK;
 }
 
+// Null are arrays of no size.
+template <class Arrays> Arrays arrays_of(const Arrays *arrays) { return arrays ? *arrays : Arrays{}; }
+
 } // namespace motorway

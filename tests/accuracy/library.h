@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "motorway.h"
+#include "motorway_views.h"
 
 namespace motorway::accuracy {
 

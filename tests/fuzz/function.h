@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "motorway.h"
+#include "motorway_views.h"
 #include "random.h"
 #include "verdict.h"
 

@@ -100,7 +100,7 @@ Verdict judge_nlerp(const Motor<Wide<T>> &first, const Motor<Wide<T>> &end, Wide
     if (!(gain < R(2)) || length(sum.r) * (length(sum.r) + length(sum.d)) * 16 > largest<T>())
         return verdict;
     unit_motor(verdict, out);
-    near_motor(verdict, out, right, R(gain), 1.5, R(larger(length(first.d), length(end.d)) * gain * gain), 2.5);
+    near_motor(verdict, out, right, R(gain), 1.5, R(larger(length(first.d), length(end.d)) * gain * gain), 2.5, R(16));
     return verdict;
 }
 

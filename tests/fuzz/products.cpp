@@ -12,12 +12,12 @@ using In = typename api<T>::const_motors;
 // Rounding errors of a product are relative to the products of the sizes of what is multiplied.
 template <class T>
 Verdict judge_product(const Motor<Wide<T>> &first, const Motor<Wide<T>> &then, const void *out, double rotation_bound,
-                      double translation_bound, Verdict verdict = {})
+                      double translation_bound, Wide<T> lost = 16, Verdict verdict = {})
 {
     using R = Wide<T>;
     const R translation = length(first.r) * length(then.d) + length(first.d) * length(then.r);
     near_motor(verdict, numbers<T>(out), compose(first, then), length(first.r) * length(then.r), rotation_bound,
-               translation, translation_bound, R(16));
+               translation, translation_bound, lost);
     return verdict;
 }
 
@@ -112,8 +112,10 @@ Function ratio(unsigned flags)
         const R size = (1 + reach(from)) * length(to.r) + length(to.d);
         if (!flags && (!usable_motor<T>(inputs[0]) || size * headroom<T>() > largest<T>()))
             return Verdict();
-        return flags ? judge_product<T>(conjugate(from), to, out, 1.5, 2.5)
-                     : judge_product<T>(inverse(from), to, out, 4, 8, of_any_length<T>());
+        if (flags)
+            return judge_product<T>(conjugate(from), to, out, 1.5, 2.5);
+        // The product of both may underflow before it is divided by α.
+        return judge_product<T>(inverse(from), to, out, 4, 8, larger(R(16), R(16) / alpha(from)), of_any_length<T>());
     };
     return f;
 }
@@ -121,7 +123,7 @@ Function ratio(unsigned flags)
 // ------------------------------------------------------------------------------------------------------ of one motor
 
 template <class T>
-Function of_one(const char *name, mw_status (*call_it)(Out<T>, In<T>, std::size_t),
+Function of_one(const char *name, mw_status (*call_it)(const Out<T> &, const In<T> &, std::size_t),
                 std::function<Verdict(const Motor<Wide<T>> &, const T *)> judge)
 {
     Function f{name, named<T>((std::string(name) + "_motor_each").c_str()), {motors_of<T>()}, motors_of<T>(), {}, {},

@@ -164,7 +164,8 @@ private:
 };
 
 #define MOTORWAY_APPLY_TO(operand, views, P)                                                                         \
-    apply_to("apply_" #operand "_motion", mw_apply_##operand##_motion_##P, static_cast<mw_##views##_##P *>(nullptr), \
+    apply_to("apply_" #operand "_motion", api<testing::scalar_##P>::apply_##operand##_motion,                        \
+             static_cast<mw_##views##_##P *>(nullptr),                                                               \
              static_cast<mw_const_##views##_##P *>(nullptr), components_of(testing::Operand::views), compiled,       \
              domain);
 

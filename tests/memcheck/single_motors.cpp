@@ -72,7 +72,8 @@ void check_the_rest()
     Room<unsigned char> indices(3 * 4 - 3);
     for (std::size_t i = 0; i < 3; ++i)
         indices.get()[4 * i] = static_cast<unsigned char>(i);
-    must(mw_check_indices(mw_indices_u8(indices.get(), 4), 3, 3, nullptr), "check_indices");
+    must(testing::check_indices(mw_indices_u8(indices.get(), 4), 3, 3, nullptr), "check_indices");
+    touch(mw_version());
     touch(*mw_status_text(MW_ERROR_ISA));
     touch(*mw_isas());
 }

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "motorway.h"
+#include "motorway_views.h"
 
 namespace motorway::memcheck {
 

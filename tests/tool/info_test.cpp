@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motorway.h"
+#include "motorway_views.h"
 #include "run_tool.h"
 
 namespace motorway::tool {

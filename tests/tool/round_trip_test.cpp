@@ -25,9 +25,9 @@ mw_motor_f64 half_turn_and_shift()
     const double offset[3] = {10, 20, 30};
     mw_motor_f64 shift, both;
     EXPECT_EQ(mw_translation_f64(&shift, offset), MW_OK);
-    EXPECT_EQ(mw_compose_motor_each_f64(mw_motors_f64_aos(&both, sizeof both),
-                                        mw_const_motors_f64_aos(&HALF_TURN, sizeof HALF_TURN),
-                                        mw_const_motors_f64_aos(&shift, sizeof shift), 1),
+    EXPECT_EQ(mw_compose_motor_each_f64(&both, sizeof both,
+                                        &HALF_TURN, sizeof HALF_TURN,
+                                        &shift, sizeof shift, 1),
               MW_OK);
     return both;
 }

@@ -39,14 +39,12 @@ mw_motion_distance_f64 largest_distance(const Motion &first, const Motion &secon
                                         std::size_t sample_count)
 {
     const std::size_t count = points.size() / 3, block = std::max<std::size_t>(64, 4000000 / sample_count);
-    const mw_const_xyz_f64 view = mw_const_xyz_f64_aos(points.data(), STRIDE);
     Progress progress("comparing block", (count + block - 1) / block);
     mw_motion_distance_f64 largest = {};
     for (std::size_t begin = 0; begin < count; begin += block) {
         mw_motion_distance_f64 found;
         check(mw_compare_motions_f64(&found, first.compiled(), 0, second.compiled(), 0,
-                                     mw_const_xyz_f64_from(view, begin), std::min(block, count - begin),
-                                     sample_count),
+                                     points.data() + 3 * begin, STRIDE, std::min(block, count - begin), sample_count),
               "the distance between the motions");
         found.point += begin;
         if (begin == 0 || found.distance > largest.distance)
@@ -61,8 +59,7 @@ std::string image(const Motion &motion, double parameter, const double *point)
 {
     const mw_motor_f64 motor = sample(motion, {parameter}, "a sample")[0];
     double moved[3];
-    check(mw_apply_point_one_f64(mw_xyz_f64_aos(moved, STRIDE), &motor, mw_const_xyz_f64_aos(point, STRIDE), 1,
-                                 MW_DEFAULT),
+    check(mw_apply_point_one_f64(moved, STRIDE, &motor, point, STRIDE, 1, MW_DEFAULT),
           "the image of a point");
     return "(" + brief(moved[0], 6) + ", " + brief(moved[1], 6) + ", " + brief(moved[2], 6) + ")";
 }

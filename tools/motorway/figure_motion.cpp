@@ -7,21 +7,6 @@ namespace {
 
 constexpr Vec3 ORIGIN = {0, 0, 0};
 
-mw_motors_f64 view(Poses &poses)
-{
-    return mw_motors_f64_aos(poses.data(), sizeof poses[0]);
-}
-
-mw_xyz_f64 view(Path &points)
-{
-    return mw_xyz_f64_aos(&points[0].x, sizeof points[0]);
-}
-
-mw_const_xyz_f64 view(const Path &points)
-{
-    return mw_const_xyz_f64_aos(&points[0].x, sizeof points[0]);
-}
-
 } // namespace
 
 mw_motor_f64 rotation(Vec3 axis, double angle)
@@ -41,9 +26,7 @@ mw_motor_f64 translation(Vec3 offset)
 mw_motor_f64 product(const mw_motor_f64 &first, const mw_motor_f64 &then)
 {
     mw_motor_f64 both;
-    check(mw_compose_motor_each_f64(mw_motors_f64_aos(&both, sizeof both),
-                                    mw_const_motors_f64_aos(&first, sizeof first),
-                                    mw_const_motors_f64_aos(&then, sizeof then), 1),
+    check(mw_compose_motor_each_f64(&both, sizeof both, &first, sizeof first, &then, sizeof then, 1),
           "a product of motors");
     return both;
 }
@@ -57,8 +40,9 @@ Poses blends(const Poses &controls, const std::vector<std::vector<double>> &weig
     for (std::size_t k = 0; k < controls.size(); ++k)
         terms.push_back(rows.data() + k);
     Poses poses(weights.size());
-    check(mw_blend_motor_one_f64(view(poses), controls.data(), {terms.data(), controls.size() * sizeof(double)},
-                                 controls.size(), poses.size()),
+    const mw_motors_f64 out = mw_motors_f64_aos(poses.data(), sizeof poses[0]);
+    const mw_weights_f64 by_terms = {terms.data(), controls.size() * sizeof(double)};
+    check(mw_blend_motor_one_views_f64(&out, controls.data(), &by_terms, controls.size(), poses.size()),
           "a sum of motors");
     return poses;
 }
@@ -66,16 +50,16 @@ Poses blends(const Poses &controls, const std::vector<std::vector<double>> &weig
 Path images(const mw_motor_f64 &pose, const Path &points)
 {
     Path moved(points.size());
-    check(mw_apply_point_one_f64(view(moved), &pose, view(points), points.size(), MW_DEFAULT), "points of a figure");
+    check(mw_apply_point_one_f64(&moved[0].x, sizeof moved[0], &pose, &points[0].x, sizeof points[0], points.size(),
+                                 MW_DEFAULT), "points of a figure");
     return moved;
 }
 
 Path images(const Poses &poses, Vec3 point)
 {
     Path path(poses.size());
-    check(mw_apply_point_grid_f64(view(path), sizeof point,
-                                  mw_const_motors_f64_aos(poses.data(), sizeof poses[0]), poses.size(),
-                                  mw_const_xyz_f64_aos(&point.x, sizeof point), 1, MW_DEFAULT),
+    check(mw_apply_point_grid_f64(&path[0].x, sizeof point, sizeof point, poses.data(), sizeof poses[0], poses.size(),
+                                  &point.x, sizeof point, 1, MW_DEFAULT),
           "the path of a point");
     return path;
 }
@@ -107,11 +91,11 @@ CompiledMotion CompiledMotion::through(const Poses &keys, const std::vector<doub
 {
     Poses controls(keys.size());
     std::vector<double> knots(keys.size() + degree - 1);
+    const mw_motion_arrays_f64 arrays = {controls.data(), controls.size(), knots.data(), knots.size()};
     mw_motion_f64 description;
     const auto solve = [&](void *memory, std::size_t &size) {
-        check(mw_interpolate_keys_f64(&description, {controls.data(), controls.size(), knots.data(), knots.size()},
-                                      MW_MOTION_ADDITIVE, degree, keys.data(), times.data(), keys.size(), memory,
-                                      &size, nullptr),
+        check(mw_interpolate_keys_f64(&description, &arrays, MW_MOTION_ADDITIVE, degree, keys.data(), times.data(),
+                                      keys.size(), memory, &size, nullptr),
               "a motion through keys");
     };
     std::size_t size = 0;
@@ -143,7 +127,8 @@ const mw_compiled_motion_f64 *CompiledMotion::compiled() const
 Poses CompiledMotion::poses(std::size_t count) const
 {
     Poses poses(count);
-    check(mw_sample_motion_one_f64(view(poses), compiled(), 0, parameters(count).data(), count, MW_DEFAULT),
+    check(mw_sample_motion_one_f64(poses.data(), sizeof poses[0], compiled(), 0, parameters(count).data(), count,
+                                   MW_DEFAULT),
           "the poses of a motion");
     return poses;
 }
@@ -151,8 +136,8 @@ Poses CompiledMotion::poses(std::size_t count) const
 Path CompiledMotion::path(std::size_t count) const
 {
     Path path(count);
-    check(mw_apply_point_motion_f64(view(path), sizeof ORIGIN, compiled(), 0, parameters(count).data(), count,
-                                    mw_const_xyz_f64_aos(&ORIGIN.x, sizeof ORIGIN), 1, MW_DEFAULT),
+    check(mw_apply_point_motion_f64(&path[0].x, sizeof ORIGIN, sizeof ORIGIN, compiled(), 0, parameters(count).data(),
+                                    count, &ORIGIN.x, sizeof ORIGIN, 1, MW_DEFAULT),
           "the path of a motion");
     return path;
 }
@@ -161,8 +146,7 @@ std::vector<double> CompiledMotion::speeds(std::size_t count) const
 {
     Poses poses(count);
     std::vector<double> twists(6 * count), speeds(count);
-    check(mw_sample_motion_twist_one_f64(view(poses), mw_bivectors_f64_aos(twists.data(), 6 * sizeof(double)),
-                                         compiled(), 0, parameters(count).data(), count, MW_DEFAULT),
+    check(mw_sample_motion_twist_one_f64(poses.data(), sizeof poses[0], twists.data(), 6 * sizeof(double), compiled(), 0, parameters(count).data(), count, MW_DEFAULT),
           "the velocities of a motion");
     const Path places = images(poses, ORIGIN);
     for (std::size_t i = 0; i < count; ++i) {
@@ -184,7 +168,7 @@ double CompiledMotion::distance(const CompiledMotion &other, const Path &points)
 {
     constexpr std::size_t SAMPLES = 1001;
     mw_motion_distance_f64 largest;
-    check(mw_compare_motions_f64(&largest, compiled(), 0, other.compiled(), 0, view(points), points.size(), SAMPLES),
+    check(mw_compare_motions_f64(&largest, compiled(), 0, other.compiled(), 0, &points[0].x, sizeof points[0], points.size(), SAMPLES),
           "the distance of two motions");
     return largest.distance;
 }

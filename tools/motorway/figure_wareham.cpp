@@ -72,12 +72,10 @@ Poses twisted_poses(const std::vector<double> &lambdas)
         for (double coefficient : {PSI, 0.0, 0.0, PARALLEL.x, PARALLEL.y, PERPENDICULAR.z})
             generators.push_back(0.5 * lambda * coefficient);
     Poses poses(lambdas.size());
-    const mw_motors_f64 view = mw_motors_f64_aos(poses.data(), sizeof poses[0]);
-    const mw_const_motors_f64 rotors = mw_const_motors_f64_aos(poses.data(), sizeof poses[0]);
-    check(mw_exp_motor_each_f64(view, mw_const_bivectors_f64_aos(generators.data(), 6 * sizeof(double)),
-                                poses.size()),
-          "exponentials");
-    check(mw_convert_rotor_to_motor_each_f64(view, rotors, poses.size(), 1), "rotors");
+    mw_motor_f64 *const rotors = poses.data();
+    constexpr std::size_t SIZE = sizeof *rotors;
+    check(mw_exp_motor_each_f64(rotors, SIZE, generators.data(), 6 * sizeof(double), poses.size()), "exponentials");
+    check(mw_convert_rotor_to_motor_each_f64(rotors, SIZE, rotors, SIZE, poses.size(), 1), "rotors");
     return poses;
 }
 

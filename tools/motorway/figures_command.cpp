@@ -9,7 +9,7 @@
 #include "figure_schemes.h"
 #include "figure_wareham.h"
 #include "files.h"
-#include "motorway.h"
+#include "motorway_views.h"
 #include "summary.h"
 
 namespace fs = std::filesystem;

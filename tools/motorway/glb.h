@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh.h"
-#include "motorway.h"
+#include "motorway_views.h"
 
 namespace motorway::tool {
 

@@ -4,7 +4,7 @@
 
 #include "cpu_name.h"
 #include "error.h"
-#include "motorway.h"
+#include "motorway_views.h"
 
 namespace motorway::tool {
 namespace {

@@ -12,7 +12,7 @@
 #include "error.h"
 #include "figures_command.h"
 #include "info_command.h"
-#include "motorway.h"
+#include "motorway_views.h"
 #include "pose_command.h"
 #include "sample_command.h"
 

@@ -78,7 +78,7 @@ std::vector<mw_motor_f64> sample(const Motion &motion, const std::vector<double>
                                  const std::string &where)
 {
     std::vector<mw_motor_f64> motors(parameters.size());
-    check(mw_sample_motion_one_f64(mw_motors_f64_aos(motors.data(), sizeof motors[0]), motion.compiled(), 0,
+    check(mw_sample_motion_one_f64(motors.data(), sizeof motors[0], motion.compiled(), 0,
                                    parameters.data(), parameters.size(), MW_DEFAULT),
           where);
     normalize(motors);
@@ -87,8 +87,8 @@ std::vector<mw_motor_f64> sample(const Motion &motion, const std::vector<double>
 
 void normalize(std::vector<mw_motor_f64> &motors)
 {
-    check(mw_normalize_motor_each_f64(mw_motors_f64_aos(motors.data(), sizeof motors[0]),
-                                      mw_const_motors_f64_aos(motors.data(), sizeof motors[0]), motors.size()),
+    check(mw_normalize_motor_each_f64(motors.data(), sizeof motors[0],
+                                      motors.data(), sizeof motors[0], motors.size()),
           "normalised motors");
 }
 
@@ -98,9 +98,9 @@ std::vector<double> trace(const std::vector<mw_motor_f64> &motors, const std::ar
     for (std::size_t i = 0; i < path.size(); ++i)
         path[i] = point[i % 3];
     constexpr std::size_t STRIDE = 3 * sizeof(double);
-    check(mw_apply_point_each_f64(mw_xyz_f64_aos(path.data(), STRIDE),
-                                  mw_const_motors_f64_aos(motors.data(), sizeof motors[0]),
-                                  mw_const_xyz_f64_aos(path.data(), STRIDE), motors.size(), MW_DEFAULT),
+    check(mw_apply_point_each_f64(path.data(), STRIDE,
+                                  motors.data(), sizeof motors[0],
+                                  path.data(), STRIDE, motors.size(), MW_DEFAULT),
           "the path of a point");
     return path;
 }

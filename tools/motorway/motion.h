@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "motorway.h"
+#include "motorway_views.h"
 
 namespace motorway::tool {
 

@@ -6,7 +6,7 @@
 
 #include "json_field.h"
 #include "motion.h"
-#include "motorway.h"
+#include "motorway_views.h"
 
 namespace motorway::tool {
 

@@ -115,7 +115,7 @@ mw_status solve(Motion &motion, std::size_t *where)
     const mw_motion_arrays_f64 arrays = {motion.controls.data(), keys.size(), motion.knots.data(),
                                          motion.knots.size()};
     const auto call = [&](void *memory, std::size_t *size) {
-        return mw_interpolate_keys_f64(&result, arrays, motion.kind, motion.degree, keys.data(), times.data(),
+        return mw_interpolate_keys_f64(&result, &arrays, motion.kind, motion.degree, keys.data(), times.data(),
                                        keys.size(), memory, size, where);
     };
     std::size_t size = 0;

@@ -13,27 +13,18 @@ namespace {
 
 constexpr std::size_t STRIDE = 3 * sizeof(double), FLOAT_STRIDE = 3 * sizeof(float);
 
-mw_xyz_f64 view(std::vector<double> &vectors)
-{
-    return mw_xyz_f64_aos(vectors.data(), STRIDE);
-}
-
-mw_const_xyz_f64 view(const std::vector<double> &vectors)
-{
-    return mw_const_xyz_f64_aos(vectors.data(), STRIDE);
-}
-
 void pose_points(std::vector<double> &out, const std::vector<double> &points, const mw_motor_f64 &motor)
 {
     out.resize(points.size());
-    check(mw_apply_point_one_f64(view(out), &motor, view(points), points.size() / 3, MW_DEFAULT),
+    check(mw_apply_point_one_f64(out.data(), STRIDE, &motor, points.data(), STRIDE, points.size() / 3, MW_DEFAULT),
           "posing the vertices");
 }
 
 void pose_directions(std::vector<double> &out, const std::vector<double> &directions, const mw_motor_f64 &motor)
 {
     out.resize(directions.size());
-    check(mw_apply_direction_one_f64(view(out), &motor, view(directions), directions.size() / 3, MW_DEFAULT),
+    check(mw_apply_direction_one_f64(out.data(), STRIDE, &motor, directions.data(), STRIDE, directions.size() / 3,
+                                     MW_DEFAULT),
           "posing the normals");
 }
 
@@ -69,13 +60,11 @@ std::function<void(const mw_motor_f64 &)> one_pass(const Mesh &mesh)
     const std::vector<float> directions(mesh.normals.begin(), mesh.normals.end());
     return [points, directions, posed_points = points, posed_directions = directions](const mw_motor_f64 &m) mutable {
         const mw_motor_f32 narrow = rounded(m);
-        check(mw_apply_point_one_mixed(mw_xyz_f32_aos(posed_points.data(), FLOAT_STRIDE), &m, nullptr,
-                                       mw_const_xyz_f32_aos(points.data(), FLOAT_STRIDE), points.size() / 3,
-                                       MW_DEFAULT),
+        check(mw_apply_point_one_mixed(posed_points.data(), FLOAT_STRIDE, &m, nullptr, points.data(),
+                                       FLOAT_STRIDE, points.size() / 3, MW_DEFAULT),
               "posing the vertices");
-        check(mw_apply_direction_one_f32(mw_xyz_f32_aos(posed_directions.data(), FLOAT_STRIDE), &narrow,
-                                         mw_const_xyz_f32_aos(directions.data(), FLOAT_STRIDE),
-                                         directions.size() / 3, MW_DEFAULT),
+        check(mw_apply_direction_one_f32(posed_directions.data(), FLOAT_STRIDE, &narrow, directions.data(),
+                                         FLOAT_STRIDE, directions.size() / 3, MW_DEFAULT),
               "posing the normals");
     };
 }

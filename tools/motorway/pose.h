@@ -7,7 +7,7 @@
 
 #include "mesh.h"
 #include "motion.h"
-#include "motorway.h"
+#include "motorway_views.h"
 
 namespace motorway::tool {
 

@@ -12,11 +12,6 @@ namespace {
 constexpr double PI = 3.14159265358979323846;
 constexpr double MATRIX_TOLERANCE = 1e-3; /* three decimals, as papers print them, are near enough to be meant */
 
-mw_const_motors_f64 one(const mw_motor_f64 &motor)
-{
-    return mw_const_motors_f64_aos(&motor, sizeof motor);
-}
-
 mw_motor_f64 translation(const std::vector<double> &offset)
 {
     mw_motor_f64 motor;
@@ -27,7 +22,7 @@ mw_motor_f64 translation(const std::vector<double> &offset)
 mw_motor_f64 sequence(const mw_motor_f64 &first, const mw_motor_f64 &then)
 {
     mw_motor_f64 both;
-    check(mw_compose_motor_each_f64(mw_motors_f64_aos(&both, sizeof both), one(first), one(then), 1),
+    check(mw_compose_motor_each_f64(&both, sizeof both, &first, sizeof first, &then, sizeof then, 1),
           "a product of motors");
     return both;
 }
@@ -79,7 +74,7 @@ mw_motor_f64 read_motor(const Field &pose)
     pose.check_object({"motor"});
     const std::vector<double> c = pose["motor"].numbers(8);
     const mw_motor_f64 motor = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
-    const mw_status status = mw_check_motors_f64(one(motor), 1, nullptr);
+    const mw_status status = mw_check_motors_f64(&motor, sizeof motor, 1, nullptr);
     if (status == MW_ERROR_DEGENERATE_MOTOR)
         throw pose["motor"].error("its first four numbers are zero, or all but, so that it is no pose; "
                                   "[1, 0, 0, 0, 0, 0, 0, 0] is the one that moves nothing");
@@ -109,9 +104,10 @@ mw_motor_f64 read_matrix(const Field &pose)
 {
     pose.check_object({"matrix"});
     const std::vector<double> rows = read_rows(pose["matrix"]);
-    const mw_const_matrices_f64 matrix = {rows.data(), 12 * sizeof(double), MW_MATRIX_ROWS_3X4};
+    constexpr std::size_t SIZE = 12 * sizeof(double);
     double deviation = 0;
-    const mw_status status = mw_check_matrices_f64(matrix, 1, MATRIX_TOLERANCE, nullptr, &deviation);
+    const mw_status status = mw_check_matrices_f64(rows.data(), SIZE, MW_MATRIX_ROWS_3X4, 1, MATRIX_TOLERANCE,
+                                                   nullptr, &deviation);
     if (status == MW_ERROR_MATRIX)
         throw pose["matrix"].error(
             std::isfinite(deviation) ? "its columns deviate by " + brief(deviation) + " from orthonormal ones, and " +
@@ -119,8 +115,8 @@ mw_motor_f64 read_matrix(const Field &pose)
                                      : "is a reflection, which no motion reaches; change the sign of a column");
     check(status, "a matrix");
     mw_motor_f64 motor;
-    check(mw_convert_matrix_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor), matrix, 1, MW_NEAREST_ROTATION,
-                                              nullptr),
+    check(mw_convert_matrix_to_motor_each_f64(&motor, sizeof motor, rows.data(), SIZE, MW_MATRIX_ROWS_3X4, 1,
+                                              MW_NEAREST_ROTATION, nullptr),
           "a matrix");
     return motor;
 }
@@ -136,9 +132,8 @@ mw_motor_f64 read_quaternion(const Field &pose)
         component /= length;
     const std::vector<double> offset = vector_or_zero(pose, "translation");
     mw_motor_f64 motor;
-    check(mw_convert_pose_to_motor_each_f64(mw_motors_f64_aos(&motor, sizeof motor),
-                                            mw_const_xyzw_f64_aos(xyzw.data(), 4 * sizeof(double)),
-                                            mw_const_xyz_f64_aos(offset.data(), 3 * sizeof(double)), 1),
+    check(mw_convert_pose_to_motor_each_f64(&motor, sizeof motor, xyzw.data(), 4 * sizeof(double), offset.data(),
+                                            3 * sizeof(double), 1),
           "a quaternion");
     return motor;
 }

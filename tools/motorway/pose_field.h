@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "json_field.h"
-#include "motorway.h"
+#include "motorway_views.h"
 
 namespace motorway::tool {
 

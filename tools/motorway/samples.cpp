@@ -28,9 +28,9 @@ void add_poses(Samples &samples, const std::vector<mw_motor_f64> &motors)
 {
     Quantity rotation = {"quaternion", {"qx", "qy", "qz", "qw"}, std::vector<double>(4 * motors.size())};
     Quantity translation = {"translation", {"tx", "ty", "tz"}, std::vector<double>(3 * motors.size())};
-    check(mw_convert_motor_to_pose_each_f64(mw_xyzw_f64_aos(rotation.values.data(), QUATERNION),
-                                            mw_xyz_f64_aos(translation.values.data(), VECTOR),
-                                            mw_const_motors_f64_aos(motors.data(), sizeof motors[0]), motors.size()),
+    check(mw_convert_motor_to_pose_each_f64(rotation.values.data(), QUATERNION,
+                                            translation.values.data(), VECTOR,
+                                            motors.data(), sizeof motors[0], motors.size()),
           "the poses of motors");
     samples.quantities = {motor_quantity(motors), std::move(rotation), std::move(translation)};
 }
@@ -77,8 +77,8 @@ Samples take_samples(const Motion &motion, const std::vector<double> &parameters
     }
     std::vector<mw_motor_f64> motors(parameters.size());
     std::vector<double> twists(6 * parameters.size());
-    check(mw_sample_motion_twist_one_f64(mw_motors_f64_aos(motors.data(), sizeof motors[0]),
-                                         mw_bivectors_f64_aos(twists.data(), TWIST), motion.compiled(), 0,
+    check(mw_sample_motion_twist_one_f64(motors.data(), sizeof motors[0],
+                                         twists.data(), TWIST, motion.compiled(), 0,
                                          parameters.data(), parameters.size(),
                                          *velocities == Frame::BODY ? MW_BODY_FRAME : MW_DEFAULT),
           "a sample");

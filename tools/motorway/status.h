@@ -5,7 +5,7 @@
 #include <string>
 
 #include "error.h"
-#include "motorway.h"
+#include "motorway_views.h"
 
 namespace motorway::tool {
 
