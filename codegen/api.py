@@ -4,8 +4,8 @@ THE table of public functions is in functions/, by subject. From it come the pro
 documentation, the definitions down to the library's own functions, the C++ face, the table by precision that tests and
 benchmarks use, and api.json. A new function is an entry in that table.
 
-Texts in braces depend on the precision: {P} is the suffix of the elements' types and {T} their scalar, {M} and {U} those
-of motors, which are double in mixed functions. A brace that stays is doubled.
+Names in braces stand for what depends on the precision: {P} is the suffix of the elements' types and {T} their scalar,
+{M} and {U} are those of motors, which are double in mixed functions. A brace that is meant is doubled.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class Parameter:
     name: str
     role: str  # for bindings: what it is, not how C declares it
     c: str  # its declaration; empty: C has no such parameter, the library's own function alone
-    inner: str  # what the library's own function is handed; empty: another parameter says it
+    inner: str = "{name}"  # what the library's own function is handed; empty: another parameter says it
     cpp: str = ""  # its declaration in C++, if it differs
     argument: str = ""  # what C++ hands to C; the name, if empty
     default: str = ""  # in C++, where parameters with one come last
@@ -98,10 +98,6 @@ class Parameter:
 
 # The two forms of a function that takes arrays of elements: by pointers and strides, and by views of any layout.
 PLAIN, VIEWED = "plain", "views"
-
-
-def parameter(name: str, role: str, c: str, inner: str = "{name}", **more) -> Parameter:
-    return Parameter(name, role, c, inner, **more)
 
 
 # --------------------------------------------------------------------------------------------------- arrays and views
@@ -173,25 +169,25 @@ def struct_of_views(kind: str, name: str, role: str, inner: str) -> Parameter:
 
 def array(name: str) -> Parameter:
     """Numbers side by side."""
-    return parameter(name, "input numbers", "const {T} *{name}")
+    return Parameter(name, "input numbers", "const {T} *{name}")
 
 
 def packed(name: str) -> Parameter:
     """Numbers side by side, for functions that also take them with a stride."""
-    return parameter(name, "input numbers", "const {T} *{name}", "numbers<{T}>{{{name}, sizeof({T})}}")
+    return Parameter(name, "input numbers", "const {T} *{name}", "numbers<{T}>{{{name}, sizeof({T})}}")
 
 
 def strided(name: str) -> Tuple[Parameter, Parameter]:
     """Numbers, and the bytes from one to the next; 0: one for all."""
     stride = f"{one_of(name)}_stride"
     return (
-        parameter(name, "input numbers", "const {T} *{name}", f"numbers<{{T}}>{{{{{{name}}, {stride}}}}}"),
-        parameter(stride, "stride", "size_t {name}", ""),
+        Parameter(name, "input numbers", "const {T} *{name}", f"numbers<{{T}}>{{{{{{name}}, {stride}}}}}"),
+        Parameter(stride, "stride", "size_t {name}", ""),
     )
 
 
 def size(name: str, role: str = "size") -> Parameter:
-    return parameter(name, role, "size_t {name}")
+    return Parameter(name, role, "size_t {name}")
 
 
 COUNT = size("count", "count")
@@ -202,56 +198,56 @@ COUNT = size("count", "count")
 
 def motor(name: str) -> Parameter:
     """One motor that all elements share."""
-    return parameter(name, "one motor", "const mw_motor_{M} *{name}", "numbers_of({name})",
+    return Parameter(name, "one motor", "const mw_motor_{M} *{name}", "numbers_of({name})",
                      cpp="const motor<{U}> &{name}", argument=f"&{name}")
 
 
 def motors_side_by_side(name: str, inner: str = "numbers_of({name})") -> Parameter:
-    return parameter(name, "motors side by side", "const mw_motor_{M} *{name}", inner, cpp="const motor<{U}> *{name}")
+    return Parameter(name, "motors side by side", "const mw_motor_{M} *{name}", inner, cpp="const motor<{U}> *{name}")
 
 
 def made(struct: str, name: str = "out") -> Parameter:
-    return parameter(name, f"output {struct}", f"mw_{struct}_{{P}} *{{name}}", cpp=f"{struct}<{{T}}> &{{name}}",
+    return Parameter(name, f"output {struct}", f"mw_{struct}_{{P}} *{{name}}", cpp=f"{struct}<{{T}}> &{{name}}",
                      argument=f"&{name}")
 
 
 def struct(kind: str, name: str) -> Parameter:
-    return parameter(name, f"input {kind}", f"const mw_{kind}_{{P}} *{{name}}", cpp=f"const {kind}<{{T}}> &{{name}}",
+    return Parameter(name, f"input {kind}", f"const mw_{kind}_{{P}} *{{name}}", cpp=f"const {kind}<{{T}}> &{{name}}",
                      argument=f"&{name}")
 
 
 def arrays(name: str) -> Parameter:
     """Where the controls and knots of a motion go."""
-    return parameter(name, "motion arrays", "const mw_motion_arrays_{P} *{name}", "arrays_of({name})",
+    return Parameter(name, "motion arrays", "const mw_motion_arrays_{P} *{name}", "arrays_of({name})",
                      cpp="const motion_arrays<{T}> &{name}", argument=f"&{name}")
 
 
-def triple(name: str, length: int = 3, default: str = "") -> Parameter:
-    return parameter(name, f"input {length} numbers", f"const {{T}} {{name}}[{length}]",
+def array_of(name: str, length: int = 3, default: str = "") -> Parameter:
+    return Parameter(name, f"input {length} numbers", f"const {{T}} {{name}}[{length}]",
                      cpp=f"const {{T}} (&{{name}})[{length}]", default=default)
 
 
-def made_triple(name: str, length: int = 3) -> Parameter:
-    return parameter(name, f"output {length} numbers", f"{{T}} {{name}}[{length}]", cpp=f"{{T}} (&{{name}})[{length}]")
+def made_array_of(name: str, length: int = 3) -> Parameter:
+    return Parameter(name, f"output {length} numbers", f"{{T}} {{name}}[{length}]", cpp=f"{{T}} (&{{name}})[{length}]")
 
 
 def scalar(name: str, default: str = "") -> Parameter:
-    return parameter(name, "number", "{T} {name}", default=default)
+    return Parameter(name, "number", "{T} {name}", default=default)
 
 
 def number(name: str, type_name: str, role: str, default: str = "") -> Parameter:
-    return parameter(name, role, f"{type_name}{'' if type_name.endswith('*') else ' '}{{name}}", default=default)
+    return Parameter(name, role, f"{type_name}{'' if type_name.endswith('*') else ' '}{{name}}", default=default)
 
 
 def place(name: str) -> Parameter:
     """Where the number of the first bad thing goes, if anybody wants it."""
-    return parameter(name, "where the error is", "size_t *{name}", default="nullptr")
+    return Parameter(name, "where the error is", "size_t *{name}", default="nullptr")
 
 
 FLAGS = number("flags", "unsigned", "flags", "MW_DEFAULT")
 FIRST_BAD = place("first_bad")
 WHERE = place("where")
-COMPILED = parameter("motion", "compiled motion", "const mw_compiled_motion_{P} *{name}",
+COMPILED = Parameter("motion", "compiled motion", "const mw_compiled_motion_{P} *{name}",
                      cpp="const compiled_motion<{T}> *{name}")
 
 

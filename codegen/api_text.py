@@ -7,11 +7,17 @@ import re
 import textwrap
 from typing import Callable, Dict, Iterable, List, Sequence
 
-from api import BOTH, MIXED, OPERANDS, PLAIN, SCALARS, VIEWED, VIEWS, Function, Group, Parameter, Precision
+from api import OPERANDS, PLAIN, SCALARS, VIEWED, VIEWS, Function, Group, Parameter, Precision
 from functions import apply, library, motions, motors, representations
 
 WIDTH = 118
-SUBJECTS = {"library": library, "apply": apply, "motors": motors, "representations": representations, "motions": motions}
+SUBJECTS = {
+    "library": library,
+    "apply": apply,
+    "motors": motors,
+    "representations": representations,
+    "motions": motions,
+}
 GROUPS = tuple(
     group for module in SUBJECTS.values() for group in vars(module).values() if isinstance(group, Group)
 )
@@ -143,10 +149,11 @@ def overload(function: Function, precision: Precision) -> str:
         return text + (" = " + p.default.format() if p.default else "")
 
     returns = "status" if function.returns == "mw_status" else function.returns
+    parameters = [declared(p) for p in function.in_cpp]
     arguments = [p.argument or p.name for p in function.in_c]
     return "\n".join(
         [
-            *listed(f"[[nodiscard]] inline {typed(returns, function.name)}(", [declared(p) for p in function.in_cpp], ")"),
+            *listed(f"[[nodiscard]] inline {typed(returns, function.name)}(", parameters, ")"),
             "{",
             *indented(listed(f"return {function.symbol(precision, function.forms[-1])}(", arguments, ");")),
             "}",
@@ -178,7 +185,7 @@ def by_reference(function: Function, precision: Precision) -> List[str]:
     ]
 
 
-# ---------------------------------------------------------------------------------------------------------- for programs
+# --------------------------------------------------------------------------------------------------- for programs
 
 
 def api_files(render: Callable[..., str]) -> Dict[str, str]:

@@ -20,7 +20,6 @@ from api import (
     motors_of_calls,
     motors_side_by_side,
     out,
-    parameter,
     size,
 )
 
@@ -40,12 +39,13 @@ INDICES = Parameter(
     plain_inner="mw_indices{{{name}, index_stride, index_type}}",
 )
 NO_SHIFT = Parameter("shift", "", "", "no_shift()")
-SHIFT = parameter("shift", "shift", "const mw_shift *{name}", "some_shift({name})", cpp="const mw_shift &{name}",
+SHIFT = Parameter("shift", "shift", "const mw_shift *{name}", "some_shift({name})", cpp="const mw_shift &{name}",
                   argument="&shift", default="{{}}")
 
 
 def elements(parameter: Parameter) -> Parameter:
-    return replace(parameter, inner=f"elements_of({parameter.name})", plain_inner=f"elements_of({parameter.plain_inner})")
+    plain = f"elements_of({parameter.plain_inner})"
+    return replace(parameter, inner=f"elements_of({parameter.name})", plain_inner=plain)
 
 
 def kernels(operand: str, *names: str, mixed: bool = False) -> str:

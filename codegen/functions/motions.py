@@ -10,28 +10,28 @@ from api import (
     WHERE,
     Function,
     Group,
+    Parameter,
     array,
+    array_of,
     arrays,
     given,
     made,
-    made_triple,
+    made_array_of,
     motors_side_by_side,
     number,
     out,
     packed,
-    parameter,
     scalar,
     size,
     strided,
     struct,
-    triple,
 )
 from functions.apply import elements, kernels
 
 
 def index(name: str = "index"):
     """Which of the compiled motions: in C++ the first, unless it is said."""
-    return parameter(name, "index", "size_t {name}", default="0")
+    return Parameter(name, "index", "size_t {name}", default="0")
 
 
 MOTION = struct("motion", "motion")
@@ -43,7 +43,7 @@ looks at everything that mw_compile_motion looks at but the controls, and has it
     (
         Function(
             "motion_size",
-            (parameter("size", "output size", "size_t *{name}", cpp="size_t &{name}", argument="&size"), MOTION, WHERE),
+            (Parameter("size", "output size", "size_t *{name}", cpp="size_t &{name}", argument="&size"), MOTION, WHERE),
         ),
     ),
     "motion/compile",
@@ -63,7 +63,7 @@ Time: linear in controls and knots, times degree²; logarithms of the controls w
         Function(
             "compile_motion",
             (
-                parameter("compiled", "output compiled motion", "const mw_compiled_motion_{P} **{name}",
+                Parameter("compiled", "output compiled motion", "const mw_compiled_motion_{P} **{name}",
                           cpp="const compiled_motion<{T}> *&{name}", argument="&compiled"),
                 number("memory", "void *", "memory"), size("size", "bytes of memory"), MOTION, FLAGS, WHERE,
             ),
@@ -83,7 +83,7 @@ Time: linear in controls and knots, times degree²; logarithms of the controls w
 DOMAIN = Group(
     """\
 domain[0] and domain[1] = the first and the last parameter.""",
-    (Function("motion_domain", (made_triple("domain", 2), COMPILED)),),
+    (Function("motion_domain", (made_array_of("domain", 2), COMPILED)),),
     "motion/compile",
     ("NULL", "MOTION"),
 )
@@ -158,7 +158,7 @@ Flags: those of apply and of mw_sample_motion_one.""",
 TWIST_VELOCITY = Group(
     """\
 The velocity of the point of the body that is at `place`, under a twist of the space.""",
-    (Function("twist_velocity", (made_triple("velocity"), triple("twist", 6), triple("place"))),),
+    (Function("twist_velocity", (made_array_of("velocity"), array_of("twist", 6), array_of("place"))),),
     "motion/lengths",
     ("NULL",),
 )
@@ -172,7 +172,7 @@ coordinates. `lengths` may be `parameters`.""",
         Function(
             "motion_lengths",
             (
-                parameter("lengths", "output numbers", "{T} *{name}"), COMPILED, index(), triple("point"),
+                Parameter("lengths", "output numbers", "{T} *{name}"), COMPILED, index(), array_of("point"),
                 array("parameters"), COUNT,
             ),
         ),
@@ -189,7 +189,7 @@ never moves, by more than rounding, or is not finite, the parameters are equally
     (
         Function(
             "motion_even_parameters",
-            (parameter("parameters", "output numbers", "{T} *{name}"), COMPILED, index(), triple("point"), COUNT),
+            (Parameter("parameters", "output numbers", "{T} *{name}"), COMPILED, index(), array_of("point"), COUNT),
         ),
     ),
     "motion/lengths",
@@ -197,7 +197,7 @@ never moves, by more than rounding, or is not finite, the parameters are equally
 )
 
 FIRST, SECOND = (
-    parameter(name, "compiled motion", "const mw_compiled_motion_{P} *{name}", cpp="const compiled_motion<{T}> *{name}")
+    Parameter(name, "compiled motion", "const mw_compiled_motion_{P} *{name}", cpp="const compiled_motion<{T}> *{name}")
     for name in ("first", "second")
 )
 COMPARE = Group(
@@ -237,13 +237,14 @@ Time: count * degree², ten times that per round if cumulative.""",
                 made("motion"), ARRAYS, number("kind", "mw_motion_kind", "kind of motion"),
                 number("degree", "unsigned", "degree"), motors_side_by_side("keys", "{name}"), array("times"), COUNT,
                 number("memory", "void *", "memory"),
-                parameter("size", "bytes of memory", "size_t *{name}", cpp="size_t &{name}", argument="&size"), WHERE,
+                Parameter("size", "bytes of memory", "size_t *{name}", cpp="size_t &{name}", argument="&size"), WHERE,
             ),
         ),
     ),
     "motion/interpolate",
     (
-        "NULL", "MOTION_KIND", "DEGREE", "CONTROL_COUNT", "KNOTS (where: the time)", "DEGENERATE_MOTOR (where: the key)",
+        "NULL", "MOTION_KIND", "DEGREE", "CONTROL_COUNT", "KNOTS (where: the time)",
+        "DEGENERATE_MOTOR (where: the key)",
         "MEMORY (also arrays that are too small)", "SIZE", "OVERLAP",
         "CONVERGENCE (no controls, or none less than a full turn apart from their neighbours: cumulative motions "
         "through keys that turn far between each other, at uneven times, need such ones. Add keys)",

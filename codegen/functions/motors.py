@@ -9,20 +9,19 @@ from api import (
     Function,
     Group,
     Parameter,
+    array_of,
     given,
     made,
-    made_triple,
+    made_array_of,
     motor,
     motors_side_by_side,
     out,
-    parameter,
     scalar,
     size,
     streams,
     strided,
     struct,
     struct_of_views,
-    triple,
     with_shared_motors,
 )
 
@@ -32,7 +31,7 @@ DEGENERATE = "Degenerate motors: see mw_check_motors."
 TRANSLATION = Group(
     """\
 The translation by `offset`: 1 + ½ t e∞ (the paper's lemma 3.10).""",
-    (Function("translation", (made("motor"), triple("offset"))),),
+    (Function("translation", (made("motor"), array_of("offset"))),),
     "single_motors",
     ("NULL",),
 )
@@ -43,7 +42,7 @@ The rotation by `angle` about the axis through `point` (null: the origin) along 
 cos θ/2 + sin θ/2 (b + (b∧q) e∞) with b = a e123 (lemma 3.11). Computed in double, rounded once.""",
     (
         Function(
-            "rotation", (made("motor"), triple("axis"), scalar("angle"), triple("point", default="{{0, 0, 0}}")),
+            "rotation", (made("motor"), array_of("axis"), scalar("angle"), array_of("point", default="{{0, 0, 0}}")),
         ),
     ),
     "single_motors",
@@ -99,7 +98,7 @@ strides. On MW_ERROR_PARENT *first_bad (unless that pointer is null) is the join
             "compose_motor_hierarchy",
             (
                 out("motors"), given("motors", "locals"), size("joint_stride", "stride"),
-                parameter("parents", "input parents", "const int32_t *{name}"), size("joint_count"), COUNT, FIRST_BAD,
+                Parameter("parents", "input parents", "const int32_t *{name}"), size("joint_count"), COUNT, FIRST_BAD,
             ),
         ),
     ),
@@ -254,7 +253,7 @@ SPLIT_BIVECTOR = Group(
     """\
 The parts of a generator b12 b13 b23 b1i b2i b3i; of one without rotation angle 0, axis z, and all of it in `along`
 and `across` of that axis. Computed in double, rounded once.""",
-    (Function("split_bivector", (made("twist"), triple("bivector", 6))),),
+    (Function("split_bivector", (made("twist"), array_of("bivector", 6))),),
     "twist",
     ("NULL", "AXIS (a number is not finite)"),
 )
@@ -265,7 +264,7 @@ The pose exp(λB), as the sum of a twist and what `across` adds (their equation 
 is at the origin when λ = 0, a helix in closed form (section 4.1, errata.md). Computed in double, rounded once.""",
     (
         Function("twist_pose", (made("motor"), struct("twist", "twist"), scalar("lambda"))),
-        Function("twist_position", (made_triple("out"), struct("twist", "twist"), scalar("lambda"))),
+        Function("twist_position", (made_array_of("out"), struct("twist", "twist"), scalar("lambda"))),
     ),
     "twist",
     ("NULL", "AXIS (the axis does not have length 1, to 2^-10, or a number is not finite)"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from api import COUNT, FIRST_BAD, FLAGS, Function, Group, given, number, out, parameter, scalar, streams
+from api import COUNT, FIRST_BAD, FLAGS, Function, Group, Parameter, given, number, out, scalar, streams
 from functions.motors import VIEWS
 
 MOTORS = given("motors", "motors")
@@ -69,7 +69,7 @@ pointers may be null.""",
             "check_matrices",
             (
                 given("matrices", "matrices"), COUNT, scalar("tolerance"), FIRST_BAD,
-                parameter("deviation", "output number", "{T} *{name}", default="nullptr"),
+                Parameter("deviation", "output number", "{T} *{name}", default="nullptr"),
             ),
         ),
     ),
