@@ -32,8 +32,12 @@ template <class T, int N> elements<T, N, 2> elements_of(const view<T, N> &first,
 {
     return {{first, second}};
 }
-template <class View> auto elements_of(const View *v) -> decltype(elements_of(view_of(v))) { return elements_of(view_of(v)); }
-template <class Vertices> auto elements_of(const Vertices *v) -> decltype(elements_of(view_of(v->position), view_of(v->normal)))
+template <class View> auto elements_of(const View *v) -> decltype(elements_of(view_of(v)))
+{
+    return elements_of(view_of(v));
+}
+template <class Vertices>
+auto elements_of(const Vertices *v) -> decltype(elements_of(view_of(v->position), view_of(v->normal)))
 {
     return elements_of(view_of(v ? &v->position : nullptr), view_of(v ? &v->normal : nullptr));
 }
