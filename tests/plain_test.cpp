@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "api.h"
+#include "precisions.h"
 #include "random.h"
 
 namespace motorway::testing {
@@ -62,8 +63,7 @@ public:
     }
 };
 
-using Precisions = ::testing::Types<float, double>;
-TYPED_TEST_SUITE(PlainTest, Precisions);
+TYPED_TEST_SUITE(PlainTest, Precisions, PrecisionName);
 
 // Every operand of one view, in every pairing.
 #define MOTORWAY_PLAIN_OPERAND(operand, views, P, N)                                                                 \
