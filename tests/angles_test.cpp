@@ -371,7 +371,7 @@ TYPED_TEST(AnglesTest, AnglesStayWithinTheirBounds)
             for (std::size_t i = 0; i < motors.size(); ++i) {
                 ASSERT_LE(std::fabs(angles[3 * i]), pi) << names_of_orders[order];
                 ASSERT_LE(std::fabs(angles[3 * i + 2]), pi) << names_of_orders[order];
-                ASSERT_LE(std::fabs(angles[3 * i + 1]), order >= MW_EULER_XYX ? pi : half_pi) << names_of_orders[order];
+                ASSERT_LE(std::fabs(angles[3 * i + 1]), order >= int(MW_EULER_XYX) ? pi : half_pi) << names_of_orders[order];
             }
         }
     });
