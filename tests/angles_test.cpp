@@ -284,7 +284,7 @@ TYPED_TEST(AnglesTest, EulerAnglesOfEverySize)
 {
     this->on_every_isa([&] {
         Random random(7);
-        for (int order = MW_EULER_XYZ; order <= MW_EULER_ZYZ; ++order) {
+        for (int order = MW_EULER_XYZ; order <= int(MW_EULER_ZYZ); ++order) {
             const auto in_order = static_cast<mw_euler_order>(order);
             std::vector<TypeParam> angles(3 * 1000);
             for (TypeParam &angle : angles)
@@ -306,9 +306,9 @@ TYPED_TEST(AnglesTest, AtGimbalLockTheThirdAngleIsZero)
 {
     this->on_every_isa([&] {
         Random random(8);
-        for (int order = MW_EULER_XYZ; order <= MW_EULER_ZYZ; ++order) {
+        for (int order = MW_EULER_XYZ; order <= int(MW_EULER_ZYZ); ++order) {
             const auto in_order = static_cast<mw_euler_order>(order);
-            const bool proper = order >= MW_EULER_XYX;
+            const bool proper = order >= int(MW_EULER_XYX);
             const double pi = 3.14159265358979323846;
             const double locks[] = {proper ? 0 : -pi / 2, proper ? pi : pi / 2};
             std::vector<TypeParam> given;
@@ -366,7 +366,7 @@ TYPED_TEST(AnglesTest, AnglesStayWithinTheirBounds)
             ASSERT_LE(rotations[4 * i + 3], pi) << i;
             ASSERT_LE(screws[8 * i + 6], pi) << i;
         }
-        for (int order = MW_EULER_XYZ; order <= MW_EULER_ZYZ; ++order) {
+        for (int order = MW_EULER_XYZ; order <= int(MW_EULER_ZYZ); ++order) {
             const auto angles = this->euler_of(motors, static_cast<mw_euler_order>(order));
             for (std::size_t i = 0; i < motors.size(); ++i) {
                 ASSERT_LE(std::fabs(angles[3 * i]), pi) << names_of_orders[order];

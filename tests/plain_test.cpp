@@ -163,11 +163,10 @@ TYPED_TEST(PlainTest, compositions_and_representations)
 {
     using T = TypeParam;
     using A = api<T>;
-    Random &random = this->random;
-    Slots<T, 8> plain(random), viewed = plain;
-    Slots<T, 4> quaternions(random), same_quaternions = quaternions;
-    Slots<T, 3> translations(random), same_translations = translations;
-    Slots<T, 12> matrices(random), same_matrices = matrices;
+    Slots<T, 8> plain(this->random), viewed = plain;
+    Slots<T, 4> quaternions(this->random), same_quaternions = quaternions;
+    Slots<T, 3> translations(this->random), same_translations = translations;
+    Slots<T, 12> matrices(this->random), same_matrices = matrices;
     const auto out = A::motors_aos(motors_in(viewed), viewed.stride());
     const auto first = this->motors_view(), then = A::const_motors_aos(motors_in(this->others), this->others.stride());
     const auto compose = [&](auto function) {
