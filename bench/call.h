@@ -96,7 +96,8 @@ work make_call(mw_status (*function)(P...), const problem<T> &problem, const arg
                const constants &constants)
 {
     parameters<T> parameters(problem, arguments, constants);
-    const std::tuple<std::decay_t<P>...> values{parameters.template next<std::decay_t<P>>()...}; // in braces: one after the other
+    // In braces: one after the other.
+    const std::tuple<std::decay_t<P>...> values{parameters.template next<std::decay_t<P>>()...};
     return make_work([=] { require(std::apply(function, values)); });
 }
 

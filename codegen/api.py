@@ -236,7 +236,11 @@ def scalar(name: str, default: str = "") -> Parameter:
 
 
 def number(name: str, type_name: str, role: str, default: str = "") -> Parameter:
-    return Parameter(name, role, f"{type_name}{'' if type_name.endswith('*') else ' '}{{name}}", default=default)
+    return Parameter(name, role, typed(type_name, "{name}"), default=default)
+
+
+def typed(type_name: str, name: str) -> str:
+    return type_name + ("" if type_name.endswith("*") else " ") + name
 
 
 def place(name: str) -> Parameter:

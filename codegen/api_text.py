@@ -7,10 +7,10 @@ import re
 import textwrap
 from typing import Callable, Dict, Iterable, List, Sequence
 
-from api import OPERANDS, PLAIN, SCALARS, VIEWED, VIEWS, Function, Group, Parameter, Precision
+from api import OPERANDS, PLAIN, SCALARS, VIEWED, VIEWS, Function, Group, Parameter, Precision, typed
+from emit import WIDTH, fill
 from functions import apply, library, motions, motors, representations
 
-WIDTH = 118
 SUBJECTS = {
     "library": library,
     "apply": apply,
@@ -27,30 +27,23 @@ TYPES = ("motor", "matrices", "const_matrices", "vertices", "const_vertices", "w
 STREAM_CALLS = ("run_streams", "run_with_shared_motors")  # these take what is written first
 
 
-def typed(type_name: str, name: str) -> str:
-    return type_name + ("" if type_name.endswith("*") else " ") + name
-
-
 def listed(beginning: str, items: Sequence[str], end: str) -> List[str]:
     """`beginning(a, b, c)end`, its lines aligned behind the parenthesis or, where they do not fit, indented."""
+    pieces = [item + "," for item in items[:-1]] + [(items[-1] if items else "") + end]
     indent = len(beginning)
-    longest = max((len(item) for item in items), default=0) + len(end)
-    if indent + longest > WIDTH:
-        return [beginning] + ["    " + line for line in filled(items, WIDTH - 4, end)]
-    lines = filled(items, WIDTH - indent, end)
+    if indent + max(map(len, items), default=0) + len(end) > WIDTH:
+        return [beginning, *indented(fill(pieces, WIDTH - 4, WIDTH - 4))]
+    lines = fill(pieces, WIDTH - indent, WIDTH - indent)
     return [beginning + lines[0]] + [" " * indent + line for line in lines[1:]]
 
 
-def filled(items: Sequence[str], width: int, end: str) -> List[str]:
-    lines, line = [], ""
-    for k, item in enumerate(items):
-        piece = item + (end if k + 1 == len(items) else ",")
-        if line and len(line) + 1 + len(piece) > width:
-            lines.append(line)
-            line = piece
-        else:
-            line = f"{line} {piece}" if line else piece
-    return lines + [line if items else end]
+def calling(head: Sequence[str], name: str, arguments: Sequence[str]) -> List[str]:
+    """A function that returns what another returns."""
+    return [*head, "{", *indented(listed(f"return {name}(", arguments, ");")), "}"]
+
+
+def indented(lines: Iterable[str]) -> List[str]:
+    return ["    " + line for line in lines]
 
 
 def comment(text: str) -> List[str]:
@@ -102,11 +95,6 @@ def declared(group: Group, form: str) -> List[str]:
 
 
 def definition(function: Function, precision: Precision, form: str) -> str:
-    call = indented(inner_call(function, precision, form))
-    return "\n".join([*head(function, precision, form, ""), "{", *call, "}"])
-
-
-def inner_call(function: Function, precision: Precision, form: str) -> List[str]:
     def handed(parameters: Iterable[Parameter]) -> List[str]:
         return [text for text in (p.handed_on(form, precision.values) for p in parameters) if text]
 
@@ -118,7 +106,7 @@ def inner_call(function: Function, precision: Precision, form: str) -> List[str]
     name = function.through or function.name
     if not function.first and precision.suffix:
         name += f"<{SCALARS[precision.elements]}>"
-    return listed(f"return {name}(", arguments, ");")
+    return "\n".join(calling(head(function, precision, form, ""), name, arguments))
 
 
 def in_stream_order(function: Function, handed) -> List[str]:
@@ -130,10 +118,6 @@ def in_stream_order(function: Function, handed) -> List[str]:
     shared = of_role("one motor")
     outputs = ", ".join(of_role("output view"))
     return [f"into({outputs})", *of_role("count"), *(2 * shared)[:2], *of_role("input numbers"), *of_role("input view")]
-
-
-def indented(lines: Iterable[str]) -> List[str]:
-    return ["    " + line for line in lines]
 
 
 # ------------------------------------------------------------------------------------------------------------------ C++
@@ -151,14 +135,8 @@ def overload(function: Function, precision: Precision) -> str:
     returns = "status" if function.returns == "mw_status" else function.returns
     parameters = [declared(p) for p in function.in_cpp]
     arguments = [p.argument or p.name for p in function.in_c]
-    return "\n".join(
-        [
-            *listed(f"[[nodiscard]] inline {typed(returns, function.name)}(", parameters, ")"),
-            "{",
-            *indented(listed(f"return {function.symbol(precision, function.forms[-1])}(", arguments, ");")),
-            "}",
-        ]
-    )
+    prototype = listed(f"[[nodiscard]] inline {typed(returns, function.name)}(", parameters, ")")
+    return "\n".join(calling(prototype, function.symbol(precision, function.forms[-1]), arguments))
 
 
 def by_address(p: Parameter) -> bool:
@@ -177,12 +155,8 @@ def by_reference(function: Function, precision: Precision) -> List[str]:
         for p in function.in_c
     ]
     arguments = [f"&{p.name}" if by_address(p) else p.name for p in function.in_c]
-    return [
-        *listed(f"static {typed(function.returns, function.name)}(", declarations, ")"),
-        "{",
-        *indented(listed(f"return {function.symbol(precision, form)}(", arguments, ");")),
-        "}",
-    ]
+    prototype = listed(f"static {typed(function.returns, function.name)}(", declarations, ")")
+    return calling(prototype, function.symbol(precision, form), arguments)
 
 
 # --------------------------------------------------------------------------------------------------- for programs

@@ -94,13 +94,18 @@ def number(value: Fraction) -> str:
 
 def wrap(statement: str, indent: int = 8) -> List[str]:
     """Break a statement after commas so that its lines, indented, fit the page."""
+    width = WIDTH - indent
+    lines = fill(statement.replace(", ", ",\n").split("\n"), width, width - 4)
+    return [lines[0]] + ["    " + rest for rest in lines[1:]]
+
+
+def fill(pieces: Sequence[str], width: int, further: int) -> List[str]:
+    """Lines of whole pieces: the first of that width, and the further ones."""
     lines, line = [], ""
-    for piece in statement.replace(", ", ",\n").split("\n"):
-        limit = WIDTH - indent - (4 if lines else 0)
-        if line and len(line) + 1 + len(piece) > limit:
+    for piece in pieces:
+        if line and len(line) + 1 + len(piece) > (further if lines else width):
             lines.append(line)
             line = piece
         else:
             line = f"{line} {piece}" if line else piece
-    lines.append(line)
-    return [lines[0]] + ["    " + rest for rest in lines[1:]]
+    return lines + [line]
